@@ -66,11 +66,16 @@ plant no-sign-guard core/src/orientation.rs \
   'self.volume * side > self.error' 'self.volume * side > 0.0' \
   slimbvh-core orientation::
 plant fused-edge core/src/watertight.rs \
-  'let front = (p0 >= q0) & (p1 >= q1) & (p2 >= q2);
-    let back = (p0 <= q0) & (p1 <= q1) & (p2 <= q2);' 'let fused = |x: f32, y: f32, z: f32| f64::from(x) * f64::from(y) - f64::from(z);
-    let (d0, d1, d2) = (fused(c.x, b.y, q0), fused(a.x, c.y, q1), fused(b.x, a.y, q2));
-    let front = (d0 >= 0.0) & (d1 >= 0.0) & (d2 >= 0.0);
-    let back = (d0 <= 0.0) & (d1 <= 0.0) & (d2 <= 0.0);' \
+  'if !(passage.front | passage.back) {' 'let [sa, sb, sc] = passage.corners;
+    let [[_, f0], [_, f1], [_, f2]] = passage.products;
+    let fused = |x: f32, y: f32, z: f32| f64::from(x) * f64::from(y) - f64::from(z);
+    let d = [fused(sc.x, sb.y, f0), fused(sa.x, sc.y, f1), fused(sb.x, sa.y, f2)];
+    let passage = Passage {
+        front: d.iter().all(|d| *d >= 0.0),
+        back: d.iter().all(|d| *d <= 0.0),
+        ..passage
+    };
+    if !(passage.front | passage.back) {' \
   slimbvh-tests watertight::
 plant fused-orientation core/src/orientation.rs \
   'let normal = Vec3::new(yz - zy, zx - xz, xy - yx);' 'let fused = |x: f32, y: f32, z: f32| (f64::from(x) * f64::from(y) - f64::from(z)) as f32;
@@ -81,6 +86,9 @@ plant printed-number-inside core/src/encode/printed.rs \
     } else {' 'below
     } else {' \
   slimbvh-core printed::
+plant strangers-in-a-packet core/src/trace/packet.rs \
+  'let who = self.members & enter' 'let who = enter' \
+  slimbvh-tests packets::
 # What fuzzing found is in the seeds.
 plant cells-that-underflow core/src/encode/printed.rs \
   'if decode(number, low, high, zero) < x {' 'if false {' \

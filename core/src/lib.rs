@@ -21,6 +21,7 @@ pub mod decide;
 pub mod encode;
 pub mod float;
 pub mod frustum;
+pub mod lanes;
 pub mod lattice;
 pub mod launch;
 pub mod light;

@@ -12,7 +12,9 @@
 //! that pass an edge of a box much longer than their way to it.
 
 use crate::float::gamma;
+use crate::lanes::{Lanes, Wide};
 use crate::ray::PreparedRay;
+use core::ops::{Add, Neg, Sub};
 use glam::{Vec4, Vec4Swizzles};
 
 /// Padding of the interval's end, relative to how far the box reaches along the ray's longest axis.
@@ -20,6 +22,142 @@ pub const SLAB_PADDING: f32 = gamma(32);
 
 /// Two boxes' planes on one axis: `(a.min, b.min, a.max, b.max)`.
 pub type PlanePair = Vec4;
+
+/// Planes on one axis: of two boxes for one ray ([`PlanePair`]), or of one box for several rays ([`BoxSpan`]).
+pub trait Planes: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
+    /// What a ray multiplies distances by.
+    type Factor: Copy;
+
+    /// Each distance times the ray's factor.
+    fn times(self, factor: Self::Factor) -> Self;
+
+    /// All distances times the same.
+    fn scaled(self, factor: f32) -> Self;
+
+    /// The second where they are equal or unordered.
+    fn min(self, other: Self) -> Self;
+
+    /// The second where they are equal or unordered.
+    fn max(self, other: Self) -> Self;
+
+    /// In the place of each plane the other one of its box.
+    fn opposite(self) -> Self;
+}
+
+impl Planes for PlanePair {
+    type Factor = f32;
+
+    #[inline(always)]
+    fn times(self, factor: f32) -> Self {
+        self * factor
+    }
+
+    #[inline(always)]
+    fn scaled(self, factor: f32) -> Self {
+        self * factor
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self::min(self, other)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self::max(self, other)
+    }
+
+    #[inline(always)]
+    fn opposite(self) -> Self {
+        self.zwxy()
+    }
+}
+
+/// A box's planes on one axis, or what is computed with them, for several rays.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxSpan<const GROUPS: usize> {
+    /// Of the plane at the smaller coordinate.
+    pub low: Wide<GROUPS>,
+    /// Of the plane at the larger coordinate.
+    pub high: Wide<GROUPS>,
+}
+
+impl<const GROUPS: usize> BoxSpan<GROUPS> {
+    #[inline(always)]
+    fn each(self, of: impl Fn(Wide<GROUPS>) -> Wide<GROUPS>) -> Self {
+        Self {
+            low: of(self.low),
+            high: of(self.high),
+        }
+    }
+
+    #[inline(always)]
+    fn both(self, other: Self, of: impl Fn(Wide<GROUPS>, Wide<GROUPS>) -> Wide<GROUPS>) -> Self {
+        Self {
+            low: of(self.low, other.low),
+            high: of(self.high, other.high),
+        }
+    }
+}
+
+impl<const GROUPS: usize> Add for BoxSpan<GROUPS> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.both(other, Wide::add)
+    }
+}
+
+impl<const GROUPS: usize> Sub for BoxSpan<GROUPS> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.both(other, Wide::sub)
+    }
+}
+
+impl<const GROUPS: usize> Neg for BoxSpan<GROUPS> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.each(Wide::neg)
+    }
+}
+
+impl<const GROUPS: usize> Planes for BoxSpan<GROUPS> {
+    type Factor = Wide<GROUPS>;
+
+    #[inline(always)]
+    fn times(self, factor: Wide<GROUPS>) -> Self {
+        self.each(|x| x * factor)
+    }
+
+    #[inline(always)]
+    fn scaled(self, factor: f32) -> Self {
+        self.each(|x| x * Wide::splat(factor))
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.both(other, Wide::min)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.both(other, Wide::max)
+    }
+
+    #[inline(always)]
+    fn opposite(self) -> Self {
+        Self {
+            low: self.high,
+            high: self.low,
+        }
+    }
+}
 
 /// Where a ray enters two boxes, and which of them it meets within its range.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +176,7 @@ pub struct BoxPairHit {
 #[inline(always)]
 #[must_use]
 pub fn slab(ray: &PreparedRay, planes: [PlanePair; 3], limit: f32) -> BoxPairHit {
-    let crossing = crossings(ray, planes);
+    let crossing = crossings(planes, ray.plane_origins, ray.inverse);
     let enter = crossing.enter.max(Vec4::splat(ray.t_min));
     let meets = enter.cmple(crossing.padded_exit.min(Vec4::splat(limit)));
     BoxPairHit {
@@ -49,30 +187,34 @@ pub fn slab(ray: &PreparedRay, planes: [PlanePair; 3], limit: f32) -> BoxPairHit
     }
 }
 
-/// Where the ray's whole line passes two boxes. The lanes hold a, b, a, b.
+/// Where rays' whole lines pass boxes, in the place of each plane.
 #[derive(Clone, Copy)]
-pub(crate) struct Crossings {
+pub(crate) struct Crossings<P> {
     /// Rounded.
-    pub enter: Vec4,
+    pub enter: P,
     /// Rounded; below `enter` where the box is missed, by rounding alone if barely.
-    pub exit: Vec4,
+    pub exit: P,
     /// `exit` with the padding.
-    pub padded_exit: Vec4,
+    pub padded_exit: P,
 }
 
-/// The arithmetic of [`slab`].
+/// The arithmetic of all slab tests.
 #[inline(always)]
-pub(crate) fn crossings(ray: &PreparedRay, planes: [PlanePair; 3]) -> Crossings {
-    let t0 = (planes[0] - ray.plane_origins[0]) * ray.inverse[0];
-    let t1 = (planes[1] - ray.plane_origins[1]) * ray.inverse[1];
-    let t2 = (planes[2] - ray.plane_origins[2]) * ray.inverse[2];
-    let (near_2, far_2) = (t2.min(t2.zwxy()), t2.max(t2.zwxy()));
-    let enter = t0.min(t0.zwxy()).max(t1.min(t1.zwxy())).max(near_2);
-    let exit = t0.max(t0.zwxy()).min(t1.max(t1.zwxy())).min(far_2);
+pub(crate) fn crossings<P: Planes>(
+    planes: [P; 3],
+    plane_origins: [P; 3],
+    inverse: [P::Factor; 3],
+) -> Crossings<P> {
+    let t0 = (planes[0] - plane_origins[0]).times(inverse[0]);
+    let t1 = (planes[1] - plane_origins[1]).times(inverse[1]);
+    let t2 = (planes[2] - plane_origins[2]).times(inverse[2]);
+    let (near_2, far_2) = (t2.min(t2.opposite()), t2.max(t2.opposite()));
+    let enter = t0.min(t0.opposite()).max(t1.min(t1.opposite())).max(near_2);
+    let exit = t0.max(t0.opposite()).min(t1.max(t1.opposite())).min(far_2);
     let reach = far_2.max(-near_2);
     Crossings {
         enter,
         exit,
-        padded_exit: exit + reach * SLAB_PADDING,
+        padded_exit: exit + reach.scaled(SLAB_PADDING),
     }
 }

@@ -1,16 +1,20 @@
 //! Stage `trace`: one traversal for every tree, every codec and every question.
 
 use crate::classify::Except;
-use crate::float::max;
 use crate::ray::{Hit, PreparedRay, Ray};
-use crate::slab::{PlanePair, slab};
-use crate::watertight::intersect;
+use crate::slab::PlanePair;
+use query::{Query, Single};
 
 mod collect;
+#[cfg(not(target_arch = "spirv"))]
+mod packet;
+mod query;
 mod sources;
 mod stack;
 
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, NearestHits};
+#[cfg(not(target_arch = "spirv"))]
+pub use packet::{Lane, Packet, PacketStacks, trace_alone, trace_packet};
 pub use sources::{BruteForce, LeafTriangles, PlainNodes};
 pub use stack::{BoxColumns, Column, Cursor, STACK_SIZE, Stack};
 
@@ -99,10 +103,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collecto
     traverse_with(&mut stack, nodes, triangles, ray, rule, collector);
 }
 
-/// Walks the tree, near child first, and offers every triangle that the ray meets and that counts by the
-/// rule to the collector.
-///
-/// A node is passed over only if the ray misses its box or enters it beyond the collector's limit.
+/// Offers every triangle that the ray meets and that counts by the rule to the collector: [`walk`] of one ray.
 #[inline(always)]
 pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
     stack: &mut Stack<N::Cursor>,
@@ -112,55 +113,74 @@ pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Col
     rule: &R,
     collector: &mut C,
 ) {
-    let mut cursor = nodes.root(ray.axes);
+    let root = nodes.root(ray.axes);
+    let mut query = Single {
+        ray,
+        rule,
+        collector,
+    };
+    walk(stack, nodes, triangles, root, &mut query);
+}
+
+/// Walks the tree below a node, near child first, and lets the query test every triangle on the way.
+///
+/// A node is passed over only if all rays miss its box or enter it beyond their collectors' limits.
+#[inline(always)]
+fn walk<N: NodeSource, T: TriangleSource<N::Frame>, Q: Query<N, T>>(
+    stack: &mut Stack<N::Cursor, Q::Enter>,
+    nodes: &N,
+    triangles: &T,
+    root: N::Cursor,
+    query: &mut Q,
+) {
+    let mut cursor = root;
     let mut depth = 0usize;
-    let mut at_node = ray.t_min <= ray.t_max;
+    let mut at_node = query.is_due(query.begin());
     let mut steps = nodes.step_limit();
 
     while (at_node || depth > 0) && steps > 0 {
         if !at_node {
-            // Take the nearest node that waits, unless a hit has been found before it.
+            // Take the nearest node that waits, unless hits have been found before it.
             depth -= 1;
             cursor = stack.cursor(depth);
-            at_node = stack.enter(depth) <= collector.limit();
+            at_node = query.is_due(stack.enter(depth));
         }
         if at_node {
             steps -= 1;
             let run = nodes.leaf(cursor);
             if run.is_leaf {
                 for number in 0..run.count {
-                    collector.count_triangle();
                     let place = Place {
                         first: run.first,
                         number,
                         frame: run.frame,
                     };
-                    let primitive = triangles.primitive(&place);
-                    let corners = triangles.corners(&place, ray.axes);
-                    let hit = intersect(ray, corners, collector.limit(), primitive);
-                    if hit.is_hit() && rule.counts(primitive, &corners, ray.axes) {
-                        collector.offer(hit);
-                    }
+                    query.test(triangles, &place);
                 }
                 at_node = false;
-                if collector.is_done() {
+                if query.is_done() {
+                    depth = 0;
+                }
+            } else if query.divide(nodes, triangles, cursor) {
+                at_node = false;
+                if query.is_done() {
                     depth = 0;
                 }
             } else {
-                collector.count_node();
-                let node = nodes.children(cursor, ray.axes);
-                let boxes = slab(ray, node.planes, collector.limit());
-                let (enter_left, enter_right) = (boxes.enter_a, boxes.enter_b);
-                let (meets_left, meets_right) = (boxes.meets_a, boxes.meets_b);
-                let left_first = enter_left <= enter_right;
-                if meets_left && meets_right {
+                let node = nodes.children(cursor, query.axes());
+                let opened = query.open(node.planes);
+                let left_first = opened.left_first;
+                if opened.meets_left && opened.meets_right {
                     let far = if left_first { node.right } else { node.left };
-                    stack.put(depth, far, max(enter_left, enter_right));
+                    stack.put(depth, far, opened.far_enter());
                     depth += 1;
                     cursor = if left_first { node.left } else { node.right };
+                    query.follow(opened.near_enter());
                 } else {
-                    cursor = if meets_left { node.left } else { node.right };
-                    at_node = meets_left || meets_right;
+                    let is_left = opened.meets_left;
+                    cursor = if is_left { node.left } else { node.right };
+                    query.follow(opened.enter_of(is_left));
+                    at_node = is_left || opened.meets_right;
                 }
             }
         }

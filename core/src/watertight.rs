@@ -6,28 +6,69 @@
 //! the edge, and on the edge is inside.
 
 use crate::float::{UNIT_ROUNDOFF, abs, max, min};
+use crate::lanes::Lanes;
 use crate::ray::{Hit, PreparedRay};
 use crate::slab::{PlanePair, crossings};
 use glam::Vec3;
 
 /// A vertex seen along the ray: x and y across, scaled by the direction's last component.
 #[derive(Clone, Copy)]
-struct Sheared {
-    x: f32,
-    y: f32,
+struct Sheared<L> {
+    x: L,
+    y: L,
 }
 
 /// Without a division: `x·dz − z·dx` has the sign of the exact one or is zero, as both products round monotonically.
 #[inline(always)]
-fn shear(ray: &PreparedRay, corner: [f32; 3]) -> Sheared {
-    let [dx, dy, dz] = ray.direction;
-    let x = corner[0] - ray.origin[0];
-    let y = corner[1] - ray.origin[1];
-    let z = corner[2] - ray.origin[2];
+fn shear<L: Lanes>(origin: [L; 3], direction: [L; 3], corner: [L; 3]) -> Sheared<L> {
+    let [dx, dy, dz] = direction;
+    let x = corner[0] - origin[0];
+    let y = corner[1] - origin[1];
+    let z = corner[2] - origin[2];
     Sheared {
         x: x * dz - z * dx,
         y: y * dz - z * dy,
     }
+}
+
+/// How rays pass a triangle's edges.
+struct Passage<L: Lanes> {
+    /// The corners, seen along the rays.
+    corners: [Sheared<L>; 3],
+    /// Twice the signed areas that the ray's point spans with each edge, as two rounded products.
+    products: [[L; 2]; 3],
+    /// Inside or on all edges, of a triangle that turns its front to the ray.
+    front: L::Mask,
+    /// Inside or on all edges, of one that turns its back.
+    back: L::Mask,
+}
+
+#[inline(always)]
+fn pass<L: Lanes>(origin: [L; 3], direction: [L; 3], corners: [[L; 3]; 3]) -> Passage<L> {
+    let a = shear(origin, direction, corners[0]);
+    let b = shear(origin, direction, corners[1]);
+    let c = shear(origin, direction, corners[2]);
+    let (p0, q0) = (c.x * b.y, c.y * b.x);
+    let (p1, q1) = (a.x * c.y, a.y * c.x);
+    let (p2, q2) = (b.x * a.y, b.y * a.x);
+    Passage {
+        corners: [a, b, c],
+        products: [[p0, q0], [p1, q1], [p2, q2]],
+        front: p0.at_least(q0) & p1.at_least(q1) & p2.at_least(q2),
+        back: p0.at_most(q0) & p1.at_most(q1) & p2.at_most(q2),
+    }
+}
+
+/// Which rays pass inside or on all edges of a triangle: [`intersect`] asks the rest of each.
+#[cfg(not(target_arch = "spirv"))]
+#[inline(always)]
+pub(crate) fn passes_inside<L: Lanes>(
+    origin: [L; 3],
+    direction: [L; 3],
+    corners: [[L; 3]; 3],
+) -> L::Mask {
+    let passage = pass(origin, direction, corners);
+    passage.front | passage.back
 }
 
 /// Where the ray meets the triangle, its corners in the order of the ray's axes, within `t_min..=limit`, in prepared t;
@@ -39,22 +80,15 @@ fn shear(ray: &PreparedRay, corner: [f32; 3]) -> Sheared {
 #[inline(always)]
 #[must_use]
 pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitive: u32) -> Hit {
-    let a = shear(ray, corners[0]);
-    let b = shear(ray, corners[1]);
-    let c = shear(ray, corners[2]);
-
-    // Twice the signed areas that the ray's point spans with each edge, as two rounded products.
-    let (p0, q0) = (c.x * b.y, c.y * b.x);
-    let (p1, q1) = (a.x * c.y, a.y * c.x);
-    let (p2, q2) = (b.x * a.y, b.y * a.x);
-    let front = (p0 >= q0) & (p1 >= q1) & (p2 >= q2);
-    let back = (p0 <= q0) & (p1 <= q1) & (p2 <= q2);
-    if !(front | back) {
+    let passage = pass(ray.origin, ray.direction, corners);
+    if !(passage.front | passage.back) {
         return Hit::MISS;
     }
+    let [a, b, c] = passage.corners;
+    let [[p0, q0], [p1, q1], [p2, q2]] = passage.products;
 
     // A fused difference may have the other sign: clamp it to the side that the comparison chose.
-    let sign = if front { 1.0 } else { -1.0 };
+    let sign = if passage.front { 1.0 } else { -1.0 };
     let e0 = max((p0 - q0) * sign, 0.0);
     let e1 = max((p1 - q1) * sign, 0.0);
     let e2 = max((p2 - q2) * sign, 0.0);
@@ -70,7 +104,7 @@ pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitiv
         span(v0[1], v1[1], v2[1]),
         span(v0[2], v1[2], v2[2]),
     ];
-    let own_box = crossings(ray, planes);
+    let own_box = crossings(planes, ray.plane_origins, ray.inverse);
     let (enter, exit) = (own_box.enter.x, own_box.exit.x);
     let first = max(enter, ray.t_min);
     if first > own_box.padded_exit.x || first > limit {
@@ -117,7 +151,7 @@ fn is_beside(a: f32, b: f32, c: f32) -> bool {
 fn plane_t(
     ray: &PreparedRay,
     corners: [[f32; 3]; 3],
-    sheared: [Sheared; 3],
+    sheared: [Sheared<f32>; 3],
     weights: [f32; 3],
 ) -> f32 {
     let [a, b, c] = corners;

@@ -76,133 +76,133 @@ var<storage, read_write> global_5: type_4;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_274_: i32;
-    var phi_275_: i32;
-    var phi_285_: bool;
-    var phi_295_: u32;
-    var phi_296_: u32;
-    var phi_298_: bool;
+    var phi_281_: i32;
+    var phi_282_: i32;
+    var phi_292_: bool;
+    var phi_302_: u32;
     var phi_303_: u32;
-    var phi_315_: i32;
-    var phi_335_: i32;
-    var phi_353_: f32;
-    var phi_359_: f32;
-    var phi_399_: f32;
-    var phi_405_: f32;
-    var phi_457_: f32;
-    var phi_468_: f32;
+    var phi_305_: bool;
+    var phi_310_: u32;
+    var phi_323_: i32;
+    var phi_343_: i32;
+    var phi_361_: f32;
+    var phi_367_: f32;
+    var phi_407_: f32;
+    var phi_413_: f32;
+    var phi_465_: f32;
     var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_523_: f32;
-    var phi_529_: f32;
-    var phi_581_: f32;
-    var phi_592_: f32;
-    var phi_601_: f32;
-    var phi_607_: f32;
-    var phi_647_: f32;
-    var phi_653_: f32;
-    var phi_705_: f32;
-    var phi_716_: f32;
-    var phi_771_: i32;
-    var phi_793_: u32;
-    var phi_794_: u32;
-    var phi_831_: i32;
-    var phi_853_: u32;
-    var phi_854_: u32;
-    var phi_862_: f32;
-    var phi_863_: f32;
-    var phi_2434_: bool;
-    var phi_874_: type_46;
-    var phi_877_: u32;
-    var phi_879_: u32;
-    var phi_881_: bool;
-    var phi_883_: u32;
-    var phi_894_: bool;
-    var phi_926_: u32;
-    var phi_927_: bool;
-    var phi_928_: u32;
-    var phi_1992_: type_42;
-    var phi_2336_: u32;
-    var phi_2364_: u32;
-    var phi_2365_: u32;
-    var phi_2366_: u32;
-    var phi_2368_: u32;
-    var phi_2369_: u32;
-    var phi_2370_: bool;
-    var phi_2379_: u32;
-    var phi_2384_: u32;
-    var phi_2385_: bool;
-    var phi_943_: type_46;
-    var phi_946_: type_7;
-    var phi_947_: type_7;
-    var phi_969_: type_7;
-    var phi_990_: u32;
-    var phi_1079_: array<array<f32, 3>, 3>;
-    var phi_1196_: bool;
-    var phi_1225_: bool;
-    var phi_1626_: f32;
-    var phi_1627_: f32;
-    var phi_1628_: f32;
-    var phi_1629_: f32;
-    var phi_1630_: vec3<f32>;
-    var phi_1631_: vec3<f32>;
-    var phi_1632_: vec3<f32>;
-    var phi_1633_: vec3<f32>;
-    var phi_1664_: bool;
-    var phi_1673_: vec3<f32>;
-    var phi_1838_: f32;
-    var phi_1840_: f32;
-    var phi_1841_: bool;
-    var phi_1861_: f32;
-    var phi_1862_: f32;
-    var phi_1885_: type_26;
-    var phi_1887_: type_26;
-    var phi_1888_: bool;
-    var phi_1892_: type_26;
-    var phi_1893_: type_26;
-    var phi_1894_: type_26;
-    var phi_1895_: bool;
-    var phi_1899_: type_26;
-    var phi_1900_: bool;
-    var phi_1901_: type_26;
-    var phi_1902_: bool;
-    var phi_1903_: bool;
-    var phi_1904_: type_26;
-    var phi_1905_: bool;
-    var phi_1906_: bool;
-    var phi_1914_: type_26;
-    var phi_1915_: bool;
-    var phi_1919_: type_26;
-    var phi_1930_: type_46;
-    var phi_1931_: type_46;
-    var phi_944_: type_46;
-    var phi_2428_: bool;
+    var phi_486_: f32;
+    var phi_492_: f32;
+    var phi_532_: f32;
+    var phi_538_: f32;
+    var phi_590_: f32;
+    var phi_602_: f32;
+    var phi_611_: f32;
+    var phi_617_: f32;
+    var phi_657_: f32;
+    var phi_663_: f32;
+    var phi_715_: f32;
+    var phi_727_: f32;
+    var phi_782_: i32;
+    var phi_804_: u32;
+    var phi_805_: u32;
+    var phi_842_: i32;
+    var phi_864_: u32;
+    var phi_865_: u32;
+    var phi_873_: f32;
+    var phi_874_: f32;
+    var phi_2543_: bool;
+    var phi_889_: type_46;
+    var phi_892_: bool;
+    var phi_894_: u32;
+    var phi_896_: u32;
+    var phi_898_: u32;
+    var phi_909_: bool;
+    var phi_941_: bool;
+    var phi_942_: u32;
+    var phi_943_: u32;
+    var phi_2080_: type_42;
+    var phi_2442_: u32;
+    var phi_2470_: u32;
+    var phi_2471_: u32;
+    var phi_2472_: u32;
+    var phi_2474_: u32;
+    var phi_2475_: u32;
+    var phi_2476_: bool;
+    var phi_2485_: u32;
+    var phi_2490_: bool;
+    var phi_2492_: u32;
+    var phi_958_: type_46;
+    var phi_961_: type_7;
+    var phi_962_: type_7;
+    var phi_984_: type_7;
+    var phi_1005_: u32;
+    var phi_1097_: array<array<f32, 3>, 3>;
+    var phi_1249_: bool;
+    var phi_1278_: bool;
+    var phi_1697_: f32;
+    var phi_1698_: f32;
+    var phi_1699_: f32;
+    var phi_1700_: f32;
+    var phi_1701_: vec3<f32>;
+    var phi_1702_: vec3<f32>;
+    var phi_1703_: vec3<f32>;
+    var phi_1704_: vec3<f32>;
+    var phi_1741_: bool;
+    var phi_1750_: vec3<f32>;
+    var phi_1915_: f32;
+    var phi_1917_: f32;
+    var phi_1918_: bool;
+    var phi_1938_: f32;
+    var phi_1939_: f32;
+    var phi_1962_: type_26;
+    var phi_1964_: type_26;
+    var phi_1965_: bool;
+    var phi_1969_: type_26;
+    var phi_1970_: type_26;
+    var phi_1971_: type_26;
+    var phi_1972_: bool;
+    var phi_1976_: type_26;
+    var phi_1977_: bool;
+    var phi_1978_: type_26;
+    var phi_1979_: bool;
+    var phi_1980_: bool;
+    var phi_1981_: type_26;
+    var phi_1982_: bool;
+    var phi_1983_: bool;
+    var phi_1991_: type_26;
+    var phi_1992_: bool;
+    var phi_1996_: type_26;
+    var phi_2007_: type_46;
+    var phi_2008_: type_46;
+    var phi_959_: type_46;
+    var phi_2537_: bool;
     var local_2: type_46;
-    var phi_2589_: bool;
-    var phi_2387_: type_46;
-    var phi_2388_: u32;
-    var phi_2389_: bool;
-    var phi_2390_: u32;
-    var phi_2588_: bool;
-    var phi_2391_: type_46;
-    var phi_2392_: u32;
-    var phi_2393_: u32;
-    var phi_2394_: bool;
-    var phi_2395_: u32;
-    var phi_2587_: bool;
-    var phi_2396_: type_46;
-    var phi_2397_: u32;
-    var phi_2398_: u32;
-    var phi_2399_: bool;
-    var phi_2400_: u32;
-    var phi_2586_: bool;
-    var phi_875_: type_46;
-    var phi_878_: u32;
-    var phi_880_: u32;
-    var phi_882_: bool;
-    var phi_884_: u32;
-    var phi_2401_: bool;
-    var phi_2585_: bool;
+    var phi_2698_: bool;
+    var phi_2496_: type_46;
+    var phi_2497_: bool;
+    var phi_2498_: u32;
+    var phi_2499_: u32;
+    var phi_2697_: bool;
+    var phi_2500_: type_46;
+    var phi_2501_: bool;
+    var phi_2502_: u32;
+    var phi_2503_: u32;
+    var phi_2504_: u32;
+    var phi_2696_: bool;
+    var phi_2505_: type_46;
+    var phi_2506_: bool;
+    var phi_2507_: u32;
+    var phi_2508_: u32;
+    var phi_2509_: u32;
+    var phi_2695_: bool;
+    var phi_890_: type_46;
+    var phi_893_: bool;
+    var phi_895_: u32;
+    var phi_897_: u32;
+    var phi_899_: u32;
+    var phi_2510_: bool;
+    var phi_2694_: bool;
     var local_3: type_46;
     var local_4: type_46;
 
@@ -249,211 +249,211 @@ fn function_() {
                     if _e161 {
                         let _e164 = (bitcast<u32>(bitcast<f32>(_e136)) & 2147483647u);
                         if (_e164 >= 8388608u) {
-                            phi_274_ = (bitcast<i32>((_e164 >> bitcast<u32>(23i))) - 127i);
+                            phi_281_ = (bitcast<i32>((_e164 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_274_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e164)), 32u, (_e164 == 0u))));
+                            phi_281_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e164)), 32u, (_e164 == 0u))));
                         }
-                        let _e178 = phi_274_;
-                        phi_275_ = _e178;
+                        let _e178 = phi_281_;
+                        phi_282_ = _e178;
                     } else {
-                        phi_275_ = 0i;
+                        phi_282_ = 0i;
                     }
-                    let _e180 = phi_275_;
+                    let _e180 = phi_282_;
                     let _e181 = (_e97 == _e136);
                     if _e181 {
-                        phi_285_ = true;
+                        phi_292_ = true;
                     } else {
-                        phi_285_ = (_e104 == _e136);
+                        phi_292_ = (_e104 == _e136);
                     }
-                    let _e184 = phi_285_;
+                    let _e184 = phi_292_;
                     let _e185 = select(1u, 0u, _e181);
                     if _e184 {
                         let _e186 = (_e185 + 1u);
-                        phi_295_ = _e186;
-                        phi_296_ = _e186;
-                        phi_298_ = select(true, false, (_e186 == 2u));
+                        phi_302_ = _e186;
+                        phi_303_ = _e186;
+                        phi_305_ = select(true, false, (_e186 == 2u));
                     } else {
-                        phi_295_ = u32();
-                        phi_296_ = 0u;
-                        phi_298_ = true;
-                    }
-                    let _e190 = phi_295_;
-                    let _e192 = phi_296_;
-                    let _e194 = phi_298_;
-                    if _e194 {
-                        phi_303_ = (_e192 + 1u);
-                    } else {
+                        phi_302_ = u32();
                         phi_303_ = 0u;
+                        phi_305_ = true;
                     }
-                    let _e198 = phi_303_;
+                    let _e190 = phi_302_;
+                    let _e192 = phi_303_;
+                    let _e194 = phi_305_;
+                    if _e194 {
+                        phi_310_ = (_e192 + 1u);
+                    } else {
+                        phi_310_ = 0u;
+                    }
+                    let _e198 = phi_310_;
                     let _e199 = select(_e190, _e192, _e194);
                     let _e200 = select(_e185, select(2u, _e185, _e184), _e194);
                     if (_e85 < -126i) {
-                        phi_315_ = -126i;
+                        phi_323_ = -126i;
                     } else {
-                        phi_315_ = select(_e85, 127i, (_e85 > 127i));
+                        phi_323_ = select(_e85, 127i, (_e85 > 127i));
                     }
-                    let _e205 = phi_315_;
+                    let _e205 = phi_323_;
                     let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
                     let _e216 = bitcast<f32>((bitcast<u32>(((_e85 - _e205) + 127i)) << bitcast<u32>(23i)));
                     let _e217 = -(_e180);
                     if (_e217 < -126i) {
-                        phi_335_ = -126i;
+                        phi_343_ = -126i;
                     } else {
-                        phi_335_ = select(_e217, 127i, (_e217 > 127i));
+                        phi_343_ = select(_e217, 127i, (_e217 > 127i));
                     }
-                    let _e222 = phi_335_;
+                    let _e222 = phi_343_;
                     let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
                     let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
                     let _e237 = global_4.member[_e81].member;
                     let _e238 = (_e199 == 0u);
                     if _e238 {
-                        phi_353_ = _e237[0];
+                        phi_361_ = _e237[0];
                     } else {
-                        phi_353_ = _e237[1];
+                        phi_361_ = _e237[1];
                     }
-                    let _e242 = phi_353_;
+                    let _e242 = phi_361_;
                     let _e243 = (_e199 == 2u);
                     if _e243 {
-                        phi_359_ = _e237[2];
+                        phi_367_ = _e237[2];
                     } else {
-                        phi_359_ = _e242;
+                        phi_367_ = _e242;
                     }
-                    let _e246 = phi_359_;
+                    let _e246 = phi_367_;
                     let _e247 = bitcast<u32>(_e246);
                     let _e249 = ((_e247 & 2139095040u) != 0u);
                     let _e263 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e247 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e247 & 2147483648u))), _e246, _e249) * _e210) * select(0.00000011920929f, 1f, _e249)) * _e216);
                     let _e264 = global_4.member[_e81].member_2;
                     if _e238 {
-                        phi_399_ = _e264[0];
+                        phi_407_ = _e264[0];
                     } else {
-                        phi_399_ = _e264[1];
+                        phi_407_ = _e264[1];
                     }
-                    let _e268 = phi_399_;
+                    let _e268 = phi_407_;
                     if _e243 {
-                        phi_405_ = _e264[2];
+                        phi_413_ = _e264[2];
                     } else {
-                        phi_405_ = _e268;
+                        phi_413_ = _e268;
                     }
-                    let _e271 = phi_405_;
+                    let _e271 = phi_413_;
                     let _e272 = bitcast<u32>(_e271);
                     let _e274 = ((_e272 & 2139095040u) != 0u);
                     let _e288 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e272 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e272 & 2147483648u))), _e271, _e274) * _e227) * select(0.00000011920929f, 1f, _e274)) * _e233);
                     let _e292 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e292 {
                         let _e296 = (bitcast<f32>((bitcast<u32>(_e263) & 2147483647u)) * 0.00000011920929f);
-                        phi_457_ = select(0.00000000000011368684f, _e296, (_e296 > 0.00000000000011368684f));
+                        phi_465_ = select(0.00000000000011368684f, _e296, (_e296 > 0.00000000000011368684f));
                     } else {
-                        phi_457_ = 0f;
+                        phi_465_ = 0f;
                     }
-                    let _e300 = phi_457_;
+                    let _e300 = phi_465_;
                     let _e301 = (_e263 + _e300);
                     let _e302 = (_e263 - _e300);
                     let _e303 = select(_e288, 0f, _e292);
                     if _e292 {
-                        phi_468_ = 38685626000000000000000000f;
+                        phi_477_ = 38685626000000000000000000f;
                     } else {
-                        phi_468_ = (1f / _e288);
+                        phi_477_ = (1f / _e288);
                     }
-                    let _e306 = phi_468_;
+                    let _e306 = phi_477_;
                     let _e307 = (_e198 == 0u);
                     if _e307 {
-                        phi_477_ = _e237[0];
+                        phi_486_ = _e237[0];
                     } else {
-                        phi_477_ = _e237[1];
+                        phi_486_ = _e237[1];
                     }
-                    let _e311 = phi_477_;
+                    let _e311 = phi_486_;
                     let _e312 = (_e198 == 2u);
                     if _e312 {
-                        phi_483_ = _e237[2];
+                        phi_492_ = _e237[2];
                     } else {
-                        phi_483_ = _e311;
+                        phi_492_ = _e311;
                     }
-                    let _e315 = phi_483_;
+                    let _e315 = phi_492_;
                     let _e316 = bitcast<u32>(_e315);
                     let _e318 = ((_e316 & 2139095040u) != 0u);
                     let _e332 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e316 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e316 & 2147483648u))), _e315, _e318) * _e210) * select(0.00000011920929f, 1f, _e318)) * _e216);
                     if _e307 {
-                        phi_523_ = _e264[0];
+                        phi_532_ = _e264[0];
                     } else {
-                        phi_523_ = _e264[1];
+                        phi_532_ = _e264[1];
                     }
-                    let _e336 = phi_523_;
+                    let _e336 = phi_532_;
                     if _e312 {
-                        phi_529_ = _e264[2];
+                        phi_538_ = _e264[2];
                     } else {
-                        phi_529_ = _e336;
+                        phi_538_ = _e336;
                     }
-                    let _e339 = phi_529_;
+                    let _e339 = phi_538_;
                     let _e340 = bitcast<u32>(_e339);
                     let _e342 = ((_e340 & 2139095040u) != 0u);
                     let _e356 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e340 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e340 & 2147483648u))), _e339, _e342) * _e227) * select(0.00000011920929f, 1f, _e342)) * _e233);
                     let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e360 {
                         let _e364 = (bitcast<f32>((bitcast<u32>(_e332) & 2147483647u)) * 0.00000011920929f);
-                        phi_581_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
+                        phi_590_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
                     } else {
-                        phi_581_ = 0f;
+                        phi_590_ = 0f;
                     }
-                    let _e368 = phi_581_;
+                    let _e368 = phi_590_;
                     let _e369 = (_e332 + _e368);
                     let _e370 = (_e332 - _e368);
                     let _e371 = select(_e356, 0f, _e360);
                     if _e360 {
-                        phi_592_ = 38685626000000000000000000f;
+                        phi_602_ = 38685626000000000000000000f;
                     } else {
-                        phi_592_ = (1f / _e356);
+                        phi_602_ = (1f / _e356);
                     }
-                    let _e374 = phi_592_;
+                    let _e374 = phi_602_;
                     let _e375 = (_e200 == 0u);
                     if _e375 {
-                        phi_601_ = _e237[0];
+                        phi_611_ = _e237[0];
                     } else {
-                        phi_601_ = _e237[1];
+                        phi_611_ = _e237[1];
                     }
-                    let _e379 = phi_601_;
+                    let _e379 = phi_611_;
                     let _e380 = (_e200 == 2u);
                     if _e380 {
-                        phi_607_ = _e237[2];
+                        phi_617_ = _e237[2];
                     } else {
-                        phi_607_ = _e379;
+                        phi_617_ = _e379;
                     }
-                    let _e383 = phi_607_;
+                    let _e383 = phi_617_;
                     let _e384 = bitcast<u32>(_e383);
                     let _e386 = ((_e384 & 2139095040u) != 0u);
                     let _e400 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e383, _e386) * _e210) * select(0.00000011920929f, 1f, _e386)) * _e216);
                     if _e375 {
-                        phi_647_ = _e264[0];
+                        phi_657_ = _e264[0];
                     } else {
-                        phi_647_ = _e264[1];
+                        phi_657_ = _e264[1];
                     }
-                    let _e404 = phi_647_;
+                    let _e404 = phi_657_;
                     if _e380 {
-                        phi_653_ = _e264[2];
+                        phi_663_ = _e264[2];
                     } else {
-                        phi_653_ = _e404;
+                        phi_663_ = _e404;
                     }
-                    let _e407 = phi_653_;
+                    let _e407 = phi_663_;
                     let _e408 = bitcast<u32>(_e407);
                     let _e410 = ((_e408 & 2139095040u) != 0u);
                     let _e424 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e408 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e408 & 2147483648u))), _e407, _e410) * _e227) * select(0.00000011920929f, 1f, _e410)) * _e233);
                     let _e428 = (bitcast<f32>((bitcast<u32>(_e424) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e428 {
                         let _e432 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) * 0.00000011920929f);
-                        phi_705_ = select(0.00000000000011368684f, _e432, (_e432 > 0.00000000000011368684f));
+                        phi_715_ = select(0.00000000000011368684f, _e432, (_e432 > 0.00000000000011368684f));
                     } else {
-                        phi_705_ = 0f;
+                        phi_715_ = 0f;
                     }
-                    let _e436 = phi_705_;
+                    let _e436 = phi_715_;
                     let _e437 = (_e400 + _e436);
                     let _e438 = (_e400 - _e436);
                     let _e439 = select(_e424, 0f, _e428);
                     if _e428 {
-                        phi_716_ = 38685626000000000000000000f;
+                        phi_727_ = 38685626000000000000000000f;
                     } else {
-                        phi_716_ = (1f / _e424);
+                        phi_727_ = (1f / _e424);
                     }
-                    let _e442 = phi_716_;
+                    let _e442 = phi_727_;
                     let _e445 = bitcast<f32>((bitcast<u32>(_e263) & 2147483647u));
                     let _e448 = bitcast<f32>((bitcast<u32>(_e332) & 2147483647u));
                     let _e450 = select(_e448, _e445, (_e445 > _e448));
@@ -465,147 +465,147 @@ fn function_() {
                         let _e473 = (_e466 == 0u);
                         let _e476 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e466)), 32u, _e473)) - 8i);
                         if (_e469 == 255i) {
-                            phi_771_ = 255i;
+                            phi_782_ = 255i;
                         } else {
-                            phi_771_ = (((_e469 + select(0i, 1i, (_e469 == 0i))) - _e476) + _e456);
+                            phi_782_ = (((_e469 + select(0i, 1i, (_e469 == 0i))) - _e476) + _e456);
                         }
-                        let _e484 = phi_771_;
+                        let _e484 = phi_782_;
                         let _e494 = (_e484 <= 0i);
                         if _e494 {
-                            phi_794_ = u32();
+                            phi_805_ = u32();
                         } else {
                             if _e473 {
-                                phi_793_ = u32();
+                                phi_804_ = u32();
                             } else {
-                                phi_793_ = select(((bitcast<u32>(_e484) << bitcast<u32>(23i)) | ((_e466 << bitcast<u32>(((_e476 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e484 >= 255i));
+                                phi_804_ = select(((bitcast<u32>(_e484) << bitcast<u32>(23i)) | ((_e466 << bitcast<u32>(((_e476 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e484 >= 255i));
                             }
-                            let _e498 = phi_793_;
-                            phi_794_ = _e498;
+                            let _e498 = phi_804_;
+                            phi_805_ = _e498;
                         }
-                        let _e500 = phi_794_;
+                        let _e500 = phi_805_;
                         let _e512 = ((_e157 & 8388607u) | (select(0u, 1u, ((_e157 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e515 = bitcast<i32>((_e157 >> bitcast<u32>(23i)));
                         let _e519 = (_e512 == 0u);
                         let _e522 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e512)), 32u, _e519)) - 8i);
                         if (_e515 == 255i) {
-                            phi_831_ = 255i;
+                            phi_842_ = 255i;
                         } else {
-                            phi_831_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e456);
+                            phi_842_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e456);
                         }
-                        let _e530 = phi_831_;
+                        let _e530 = phi_842_;
                         let _e540 = (_e530 <= 0i);
                         if _e540 {
-                            phi_854_ = u32();
+                            phi_865_ = u32();
                         } else {
                             if _e519 {
-                                phi_853_ = u32();
+                                phi_864_ = u32();
                             } else {
-                                phi_853_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
+                                phi_864_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
                             }
-                            let _e544 = phi_853_;
-                            phi_854_ = _e544;
+                            let _e544 = phi_864_;
+                            phi_865_ = _e544;
                         }
-                        let _e546 = phi_854_;
-                        phi_862_ = bitcast<f32>(((_e156 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
-                        phi_863_ = bitcast<f32>(((_e147 & 2147483648u) | select(_e500, 0u, select(_e473, true, _e494))));
+                        let _e546 = phi_865_;
+                        phi_873_ = bitcast<f32>(((_e156 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
+                        phi_874_ = bitcast<f32>(((_e147 & 2147483648u) | select(_e500, 0u, select(_e473, true, _e494))));
                     } else {
-                        phi_862_ = 0f;
-                        phi_863_ = 1f;
+                        phi_873_ = 0f;
+                        phi_874_ = 1f;
                     }
-                    let _e552 = phi_862_;
-                    let _e554 = phi_863_;
+                    let _e552 = phi_873_;
+                    let _e554 = phi_874_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2434_ = false;
-                    phi_874_ = type_46(_e552, false);
-                    phi_877_ = select(0u, 2147483648u, (_e71 == 0u));
-                    phi_879_ = ((3u * _e71) + 1u);
-                    phi_881_ = (_e554 <= _e552);
-                    phi_883_ = 0u;
+                    phi_2543_ = false;
+                    phi_889_ = type_46(_e552, false);
+                    phi_892_ = (_e554 <= _e552);
+                    phi_894_ = ((3u * _e71) + 1u);
+                    phi_896_ = 0u;
+                    phi_898_ = select(0u, 2147483648u, (_e71 == 0u));
                     loop {
-                        let _e562 = phi_2434_;
-                        let _e564 = phi_874_;
-                        let _e566 = phi_877_;
-                        let _e568 = phi_879_;
-                        let _e570 = phi_881_;
-                        let _e572 = phi_883_;
+                        let _e562 = phi_2543_;
+                        let _e564 = phi_889_;
+                        let _e566 = phi_892_;
+                        let _e568 = phi_894_;
+                        let _e570 = phi_896_;
+                        let _e572 = phi_898_;
                         local_3 = _e564;
-                        if _e570 {
-                            phi_894_ = true;
+                        if _e566 {
+                            phi_909_ = true;
                         } else {
-                            phi_894_ = (_e572 > 0u);
+                            phi_909_ = (_e570 > 0u);
                         }
-                        let _e575 = phi_894_;
+                        let _e575 = phi_909_;
                         if _e575 {
                             let _e576 = (_e568 > 0u);
                             if _e576 {
-                                if _e570 {
-                                    phi_926_ = _e566;
-                                    phi_927_ = _e570;
-                                    phi_928_ = _e572;
+                                if _e566 {
+                                    phi_941_ = _e566;
+                                    phi_942_ = _e570;
+                                    phi_943_ = _e572;
                                 } else {
-                                    let _e577 = (_e572 - 1u);
+                                    let _e577 = (_e570 - 1u);
                                     let _e578 = (_e577 % 128u);
                                     let _e579 = (_e578 < 128u);
                                     if _e579 {
                                     } else {
-                                        phi_2585_ = true;
+                                        phi_2694_ = true;
                                         break;
                                     }
                                     let _e581 = local_1[_e578];
                                     if _e579 {
                                     } else {
-                                        phi_2585_ = true;
+                                        phi_2694_ = true;
                                         break;
                                     }
                                     let _e583 = local[_e578];
-                                    phi_926_ = _e581;
-                                    phi_927_ = (_e583 <= _e564.member);
-                                    phi_928_ = _e577;
+                                    phi_941_ = (_e583 <= _e564.member);
+                                    phi_942_ = _e577;
+                                    phi_943_ = _e581;
                                 }
-                                let _e587 = phi_926_;
-                                let _e589 = phi_927_;
-                                let _e591 = phi_928_;
-                                if _e589 {
-                                    if ((_e587 & 2147483648u) != 0u) {
-                                        phi_943_ = _e564;
-                                        phi_946_ = type_7(0u, ((_e587 >> bitcast<u32>(28u)) & 7u));
+                                let _e587 = phi_941_;
+                                let _e589 = phi_942_;
+                                let _e591 = phi_943_;
+                                if _e587 {
+                                    if ((_e591 & 2147483648u) != 0u) {
+                                        phi_958_ = _e564;
+                                        phi_961_ = type_7(0u, ((_e591 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e789 = phi_943_;
-                                            let _e791 = phi_946_;
+                                            let _e789 = phi_958_;
+                                            let _e791 = phi_961_;
                                             local_2 = _e789;
                                             local_4 = _e789;
                                             if (_e791.member < _e791.member_1) {
-                                                phi_947_ = type_7((_e791.member + 1u), _e791.member_1);
-                                                phi_969_ = type_7(1u, _e791.member);
+                                                phi_962_ = type_7((_e791.member + 1u), _e791.member_1);
+                                                phi_984_ = type_7(1u, _e791.member);
                                             } else {
-                                                phi_947_ = _e791;
-                                                phi_969_ = type_7(0u, type_7().member_1);
+                                                phi_962_ = _e791;
+                                                phi_984_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e804 = phi_947_;
-                                            let _e806 = phi_969_;
+                                            let _e804 = phi_962_;
+                                            let _e806 = phi_984_;
                                             let _e810 = (bitcast<i32>(_e806.member) != 0i);
                                             if _e810 {
-                                                let _e811 = ((_e587 & 268435455u) + _e806.member_1);
+                                                let _e811 = ((_e591 & 268435455u) + _e806.member_1);
                                                 let _e812 = (_e811 < _e73);
                                                 if _e812 {
                                                     if _e812 {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e816 = global_3.member[_e811].member_1;
-                                                    phi_990_ = _e816;
+                                                    phi_1005_ = _e816;
                                                 } else {
-                                                    phi_990_ = 4294967295u;
+                                                    phi_1005_ = 4294967295u;
                                                 }
-                                                let _e818 = phi_990_;
+                                                let _e818 = phi_1005_;
                                                 if (_e811 >= _e73) {
-                                                    phi_1079_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1097_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e812 {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e820 = (_e199 % 3u);
@@ -613,67 +613,67 @@ fn function_() {
                                                     let _e822 = (_e200 % 3u);
                                                     if (_e820 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e828 = global_3.member[_e811].member[_e820];
                                                     if (_e821 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e834 = global_3.member[_e811].member[_e821];
                                                     if (_e822 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e840 = global_3.member[_e811].member[_e822];
                                                     let _e842 = (3u + _e820);
                                                     if (_e842 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e848 = global_3.member[_e811].member[_e842];
                                                     let _e849 = (3u + _e821);
                                                     if (_e849 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e855 = global_3.member[_e811].member[_e849];
                                                     let _e856 = (3u + _e822);
                                                     if (_e856 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e862 = global_3.member[_e811].member[_e856];
                                                     let _e864 = (6u + _e820);
                                                     if (_e864 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e870 = global_3.member[_e811].member[_e864];
                                                     let _e871 = (6u + _e821);
                                                     if (_e871 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e877 = global_3.member[_e811].member[_e871];
                                                     let _e878 = (6u + _e822);
                                                     if (_e878 < 9u) {
                                                     } else {
-                                                        phi_2428_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e884 = global_3.member[_e811].member[_e878];
-                                                    phi_1079_ = array<array<f32, 3>, 3>(array<f32, 3>(_e828, _e834, _e840), array<f32, 3>(_e848, _e855, _e862), array<f32, 3>(_e870, _e877, _e884));
+                                                    phi_1097_ = array<array<f32, 3>, 3>(array<f32, 3>(_e828, _e834, _e840), array<f32, 3>(_e848, _e855, _e862), array<f32, 3>(_e870, _e877, _e884));
                                                 }
-                                                let _e888 = phi_1079_;
+                                                let _e888 = phi_1097_;
                                                 let _e896 = (_e888[0][2] - _e400);
                                                 let _e899 = (((_e888[0][0] - _e263) * _e439) - (_e896 * _e303));
                                                 let _e902 = (((_e888[0][1] - _e332) * _e439) - (_e896 * _e371));
@@ -700,34 +700,34 @@ fn function_() {
                                                     let _e958 = select(0f, _e956, (_e956 > 0f));
                                                     let _e960 = ((_e950 + _e954) + _e958);
                                                     if (_e960 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1904_ = type_26();
-                                                        phi_1905_ = true;
-                                                        phi_1906_ = false;
+                                                        phi_1981_ = type_26();
+                                                        phi_1982_ = true;
+                                                        phi_1983_ = false;
                                                     } else {
                                                         let _e963 = select(_e912, _e899, (_e899 < _e912));
                                                         if (select(_e925, _e963, (_e963 < _e925)) > 0f) {
-                                                            phi_1196_ = true;
+                                                            phi_1249_ = true;
                                                         } else {
                                                             let _e968 = select(_e912, _e899, (_e899 > _e912));
-                                                            phi_1196_ = (select(_e925, _e968, (_e968 > _e925)) < 0f);
+                                                            phi_1249_ = (select(_e925, _e968, (_e968 > _e925)) < 0f);
                                                         }
-                                                        let _e973 = phi_1196_;
+                                                        let _e973 = phi_1249_;
                                                         if _e973 {
-                                                            phi_1901_ = type_26();
-                                                            phi_1902_ = true;
-                                                            phi_1903_ = false;
+                                                            phi_1978_ = type_26();
+                                                            phi_1979_ = true;
+                                                            phi_1980_ = false;
                                                         } else {
                                                             let _e975 = select(_e915, _e902, (_e902 < _e915));
                                                             if (select(_e928, _e975, (_e975 < _e928)) > 0f) {
-                                                                phi_1225_ = true;
+                                                                phi_1278_ = true;
                                                             } else {
                                                                 let _e980 = select(_e915, _e902, (_e902 > _e915));
-                                                                phi_1225_ = (select(_e928, _e980, (_e980 > _e928)) < 0f);
+                                                                phi_1278_ = (select(_e928, _e980, (_e980 > _e928)) < 0f);
                                                             }
-                                                            let _e985 = phi_1225_;
+                                                            let _e985 = phi_1278_;
                                                             if _e985 {
-                                                                phi_1899_ = type_26();
-                                                                phi_1900_ = false;
+                                                                phi_1976_ = type_26();
+                                                                phi_1977_ = false;
                                                             } else {
                                                                 let _e987 = select(_e888[1][0], _e888[0][0], (_e888[0][0] < _e888[1][0]));
                                                                 let _e991 = select(_e888[1][0], _e888[0][0], (_e888[0][0] > _e888[1][0]));
@@ -754,12 +754,12 @@ fn function_() {
                                                                 let _e1042 = -(_e1023);
                                                                 let _e1048 = select(_e554, _e1033, (_e1033 > _e554));
                                                                 if (_e1048 > (_e1041 + (select(_e1042, _e1025, (_e1025 > _e1042)) * 0.0000019073523f))) {
-                                                                    phi_1894_ = type_26();
-                                                                    phi_1895_ = true;
+                                                                    phi_1971_ = type_26();
+                                                                    phi_1972_ = true;
                                                                 } else {
                                                                     let _e1050 = (_e1048 > _e789.member);
                                                                     if _e1050 {
-                                                                        phi_1893_ = type_26();
+                                                                        phi_1970_ = type_26();
                                                                     } else {
                                                                         let _e1051 = vec3<f32>(_e888[0][0], _e888[0][1], _e888[0][2]);
                                                                         let _e1052 = vec3<f32>(_e888[1][0], _e888[1][1], _e888[1][2]);
@@ -794,49 +794,49 @@ fn function_() {
                                                                         let _e1106 = select(_e1091, _e1078, (_e1078 > _e1091));
                                                                         let _e1108 = select(_e1104, _e1106, (_e1106 > _e1104));
                                                                         if (_e1078 == _e1108) {
-                                                                            phi_1626_ = _e915;
-                                                                            phi_1627_ = _e912;
-                                                                            phi_1628_ = _e902;
-                                                                            phi_1629_ = _e899;
-                                                                            phi_1630_ = _e1051;
-                                                                            phi_1631_ = _e1065;
-                                                                            phi_1632_ = _e1061;
-                                                                            phi_1633_ = _e1057;
+                                                                            phi_1697_ = _e915;
+                                                                            phi_1698_ = _e912;
+                                                                            phi_1699_ = _e902;
+                                                                            phi_1700_ = _e899;
+                                                                            phi_1701_ = _e1051;
+                                                                            phi_1702_ = _e1065;
+                                                                            phi_1703_ = _e1061;
+                                                                            phi_1704_ = _e1057;
                                                                         } else {
                                                                             let _e1110 = (_e1091 == _e1108);
                                                                             let _e1115 = vec3(_e1110);
-                                                                            phi_1626_ = select(_e902, _e928, _e1110);
-                                                                            phi_1627_ = select(_e899, _e925, _e1110);
-                                                                            phi_1628_ = select(_e928, _e915, _e1110);
-                                                                            phi_1629_ = select(_e925, _e912, _e1110);
-                                                                            phi_1630_ = select(_e1053, _e1052, _e1115);
-                                                                            phi_1631_ = select(_e1061, _e1057, _e1115);
-                                                                            phi_1632_ = select(_e1057, _e1065, _e1115);
-                                                                            phi_1633_ = select(_e1065, _e1061, _e1115);
+                                                                            phi_1697_ = select(_e902, _e928, _e1110);
+                                                                            phi_1698_ = select(_e899, _e925, _e1110);
+                                                                            phi_1699_ = select(_e928, _e915, _e1110);
+                                                                            phi_1700_ = select(_e925, _e912, _e1110);
+                                                                            phi_1701_ = select(_e1053, _e1052, _e1115);
+                                                                            phi_1702_ = select(_e1061, _e1057, _e1115);
+                                                                            phi_1703_ = select(_e1057, _e1065, _e1115);
+                                                                            phi_1704_ = select(_e1065, _e1061, _e1115);
                                                                         }
-                                                                        let _e1121 = phi_1626_;
-                                                                        let _e1123 = phi_1627_;
-                                                                        let _e1125 = phi_1628_;
-                                                                        let _e1127 = phi_1629_;
-                                                                        let _e1129 = phi_1630_;
-                                                                        let _e1131 = phi_1631_;
-                                                                        let _e1133 = phi_1632_;
-                                                                        let _e1135 = phi_1633_;
+                                                                        let _e1121 = phi_1697_;
+                                                                        let _e1123 = phi_1698_;
+                                                                        let _e1125 = phi_1699_;
+                                                                        let _e1127 = phi_1700_;
+                                                                        let _e1129 = phi_1701_;
+                                                                        let _e1131 = phi_1702_;
+                                                                        let _e1133 = phi_1703_;
+                                                                        let _e1135 = phi_1704_;
                                                                         let _e1142 = ((_e1133.y * _e1131.z) - (_e1131.y * _e1133.z));
                                                                         let _e1147 = ((_e1133.z * _e1131.x) - (_e1131.z * _e1133.x));
                                                                         let _e1150 = ((_e1133.x * _e1131.y) - (_e1131.x * _e1133.y));
                                                                         if (_e950 >= _e954) {
-                                                                            phi_1664_ = select(true, false, (_e950 >= _e958));
+                                                                            phi_1741_ = select(true, false, (_e950 >= _e958));
                                                                         } else {
-                                                                            phi_1664_ = true;
+                                                                            phi_1741_ = true;
                                                                         }
-                                                                        let _e1155 = phi_1664_;
+                                                                        let _e1155 = phi_1741_;
                                                                         if _e1155 {
-                                                                            phi_1673_ = select(_e1053, _e1052, vec3((_e954 >= _e958)));
+                                                                            phi_1750_ = select(_e1053, _e1052, vec3((_e954 >= _e958)));
                                                                         } else {
-                                                                            phi_1673_ = _e1051;
+                                                                            phi_1750_ = _e1051;
                                                                         }
-                                                                        let _e1160 = phi_1673_;
+                                                                        let _e1160 = phi_1750_;
                                                                         let _e1171 = (((_e1142 * (_e1160.x - _e263)) + (_e1147 * (_e1160.y - _e332))) + (_e1150 * (_e1160.z - _e400)));
                                                                         let _e1176 = (((_e1142 * _e303) + (_e1147 * _e371)) + (_e1150 * _e439));
                                                                         let _e1177 = (_e1123 - _e1127);
@@ -868,170 +868,170 @@ fn function_() {
                                                                             let _e1274 = bitcast<f32>((bitcast<u32>(_e1131.z) & 2147483647u));
                                                                             let _e1278 = (bitcast<f32>((bitcast<u32>(_e1176) & 2147483647u)) > ((0.0000038146973f * select(_e1260, _e1257, (_e1257 > _e1260))) * select(_e1274, _e1271, (_e1271 > _e1274))));
                                                                             if _e1278 {
-                                                                                phi_1838_ = (_e1171 / _e1176);
+                                                                                phi_1915_ = (_e1171 / _e1176);
                                                                             } else {
-                                                                                phi_1838_ = f32();
+                                                                                phi_1915_ = f32();
                                                                             }
-                                                                            let _e1281 = phi_1838_;
-                                                                            phi_1840_ = _e1281;
-                                                                            phi_1841_ = select(true, false, _e1278);
+                                                                            let _e1281 = phi_1915_;
+                                                                            phi_1917_ = _e1281;
+                                                                            phi_1918_ = select(true, false, _e1278);
                                                                         } else {
-                                                                            phi_1840_ = f32();
-                                                                            phi_1841_ = true;
+                                                                            phi_1917_ = f32();
+                                                                            phi_1918_ = true;
                                                                         }
-                                                                        let _e1284 = phi_1840_;
-                                                                        let _e1286 = phi_1841_;
+                                                                        let _e1284 = phi_1917_;
+                                                                        let _e1286 = phi_1918_;
                                                                         if _e1286 {
                                                                             let _e1294 = (((_e1142 * (_e1203 - (_e303 * _e1206))) + (_e1147 * (_e1204 - (_e371 * _e1206)))) / _e1176);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u)) <= _e1108) {
-                                                                                phi_1861_ = (_e1206 + _e1294);
+                                                                                phi_1938_ = (_e1206 + _e1294);
                                                                             } else {
-                                                                                phi_1861_ = _e1206;
+                                                                                phi_1938_ = _e1206;
                                                                             }
-                                                                            let _e1301 = phi_1861_;
-                                                                            phi_1862_ = _e1301;
+                                                                            let _e1301 = phi_1938_;
+                                                                            phi_1939_ = _e1301;
                                                                         } else {
-                                                                            phi_1862_ = _e1284;
+                                                                            phi_1939_ = _e1284;
                                                                         }
-                                                                        let _e1303 = phi_1862_;
+                                                                        let _e1303 = phi_1939_;
                                                                         let _e1305 = select(_e1041, _e1303, (_e1303 < _e1041));
                                                                         let _e1307 = select(_e1033, _e1305, (_e1305 > _e1033));
                                                                         if (_e1307 >= _e554) {
                                                                             let _e1309 = (_e1307 <= _e789.member);
                                                                             if _e1309 {
                                                                                 let _e1310 = (1f / _e960);
-                                                                                phi_1885_ = type_26(_e1307, (_e954 * _e1310), (_e958 * _e1310), _e818);
+                                                                                phi_1962_ = type_26(_e1307, (_e954 * _e1310), (_e958 * _e1310), _e818);
                                                                             } else {
-                                                                                phi_1885_ = type_26();
+                                                                                phi_1962_ = type_26();
                                                                             }
-                                                                            let _e1315 = phi_1885_;
-                                                                            phi_1887_ = _e1315;
-                                                                            phi_1888_ = select(true, false, _e1309);
+                                                                            let _e1315 = phi_1962_;
+                                                                            phi_1964_ = _e1315;
+                                                                            phi_1965_ = select(true, false, _e1309);
                                                                         } else {
-                                                                            phi_1887_ = type_26();
-                                                                            phi_1888_ = true;
+                                                                            phi_1964_ = type_26();
+                                                                            phi_1965_ = true;
                                                                         }
-                                                                        let _e1318 = phi_1887_;
-                                                                        let _e1320 = phi_1888_;
+                                                                        let _e1318 = phi_1964_;
+                                                                        let _e1320 = phi_1965_;
                                                                         if _e1320 {
-                                                                            phi_1892_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_1969_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_1892_ = _e1318;
+                                                                            phi_1969_ = _e1318;
                                                                         }
-                                                                        let _e1322 = phi_1892_;
-                                                                        phi_1893_ = _e1322;
+                                                                        let _e1322 = phi_1969_;
+                                                                        phi_1970_ = _e1322;
                                                                     }
-                                                                    let _e1324 = phi_1893_;
-                                                                    phi_1894_ = _e1324;
-                                                                    phi_1895_ = _e1050;
+                                                                    let _e1324 = phi_1970_;
+                                                                    phi_1971_ = _e1324;
+                                                                    phi_1972_ = _e1050;
                                                                 }
-                                                                let _e1326 = phi_1894_;
-                                                                let _e1328 = phi_1895_;
-                                                                phi_1899_ = _e1326;
-                                                                phi_1900_ = _e1328;
+                                                                let _e1326 = phi_1971_;
+                                                                let _e1328 = phi_1972_;
+                                                                phi_1976_ = _e1326;
+                                                                phi_1977_ = _e1328;
                                                             }
-                                                            let _e1330 = phi_1899_;
-                                                            let _e1332 = phi_1900_;
-                                                            phi_1901_ = _e1330;
-                                                            phi_1902_ = _e985;
-                                                            phi_1903_ = _e1332;
+                                                            let _e1330 = phi_1976_;
+                                                            let _e1332 = phi_1977_;
+                                                            phi_1978_ = _e1330;
+                                                            phi_1979_ = _e985;
+                                                            phi_1980_ = _e1332;
                                                         }
-                                                        let _e1334 = phi_1901_;
-                                                        let _e1336 = phi_1902_;
-                                                        let _e1338 = phi_1903_;
-                                                        phi_1904_ = _e1334;
-                                                        phi_1905_ = _e1336;
-                                                        phi_1906_ = _e1338;
+                                                        let _e1334 = phi_1978_;
+                                                        let _e1336 = phi_1979_;
+                                                        let _e1338 = phi_1980_;
+                                                        phi_1981_ = _e1334;
+                                                        phi_1982_ = _e1336;
+                                                        phi_1983_ = _e1338;
                                                     }
-                                                    let _e1340 = phi_1904_;
-                                                    let _e1342 = phi_1905_;
-                                                    let _e1344 = phi_1906_;
-                                                    phi_1914_ = _e1340;
-                                                    phi_1915_ = select(_e1344, true, _e1342);
+                                                    let _e1340 = phi_1981_;
+                                                    let _e1342 = phi_1982_;
+                                                    let _e1344 = phi_1983_;
+                                                    phi_1991_ = _e1340;
+                                                    phi_1992_ = select(_e1344, true, _e1342);
                                                 } else {
-                                                    phi_1914_ = type_26();
-                                                    phi_1915_ = true;
+                                                    phi_1991_ = type_26();
+                                                    phi_1992_ = true;
                                                 }
-                                                let _e1347 = phi_1914_;
-                                                let _e1349 = phi_1915_;
+                                                let _e1347 = phi_1991_;
+                                                let _e1349 = phi_1992_;
                                                 if _e1349 {
-                                                    phi_1919_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1996_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1919_ = _e1347;
+                                                    phi_1996_ = _e1347;
                                                 }
-                                                let _e1351 = phi_1919_;
+                                                let _e1351 = phi_1996_;
                                                 if (_e1351.member_3 != 4294967295u) {
                                                     if (_e818 != 4294967295u) {
-                                                        phi_1930_ = type_46(_e789.member, true);
+                                                        phi_2007_ = type_46(_e789.member, true);
                                                     } else {
-                                                        phi_1930_ = _e789;
+                                                        phi_2007_ = _e789;
                                                     }
-                                                    let _e1359 = phi_1930_;
-                                                    phi_1931_ = _e1359;
+                                                    let _e1359 = phi_2007_;
+                                                    phi_2008_ = _e1359;
                                                 } else {
-                                                    phi_1931_ = _e789;
+                                                    phi_2008_ = _e789;
                                                 }
-                                                let _e1361 = phi_1931_;
-                                                phi_944_ = _e1361;
+                                                let _e1361 = phi_2008_;
+                                                phi_959_ = _e1361;
                                             } else {
-                                                phi_944_ = type_46();
+                                                phi_959_ = type_46();
                                             }
-                                            let _e1363 = phi_944_;
+                                            let _e1363 = phi_959_;
                                             continue;
                                             continuing {
-                                                phi_943_ = _e1363;
-                                                phi_946_ = _e804;
-                                                phi_2428_ = _e562;
+                                                phi_958_ = _e1363;
+                                                phi_961_ = _e804;
+                                                phi_2537_ = _e562;
                                                 break if !(_e810);
                                             }
                                         }
-                                        let _e1366 = phi_2428_;
-                                        phi_2585_ = _e1366;
+                                        let _e1366 = phi_2537_;
+                                        phi_2694_ = _e1366;
                                         if _e1366 {
                                             break;
                                         }
                                         let _e1368 = local_2;
-                                        phi_2589_ = _e1366;
+                                        phi_2698_ = _e1366;
                                         let _e1533 = local_4;
-                                        phi_2387_ = _e1533;
-                                        phi_2388_ = _e587;
-                                        phi_2389_ = false;
-                                        phi_2390_ = select(_e591, 0u, _e1368.member_1);
+                                        phi_2496_ = _e1533;
+                                        phi_2497_ = false;
+                                        phi_2498_ = select(_e589, 0u, _e1368.member_1);
+                                        phi_2499_ = _e591;
                                     } else {
-                                        if (_e587 >= _e71) {
-                                            phi_1992_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e591 >= _e71) {
+                                            phi_2080_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e587 < _e71) {
+                                            if (_e591 < _e71) {
                                             } else {
-                                                phi_2585_ = true;
+                                                phi_2694_ = true;
                                                 break;
                                             }
                                             let _e601 = (_e199 % 3u);
                                             if (_e601 < 3u) {
                                             } else {
-                                                phi_2585_ = true;
+                                                phi_2694_ = true;
                                                 break;
                                             }
-                                            let _e607 = global_2.member[_e587].member[_e601];
+                                            let _e607 = global_2.member[_e591].member[_e601];
                                             let _e613 = (_e198 % 3u);
                                             if (_e613 < 3u) {
                                             } else {
-                                                phi_2585_ = true;
+                                                phi_2694_ = true;
                                                 break;
                                             }
-                                            let _e619 = global_2.member[_e587].member[_e613];
+                                            let _e619 = global_2.member[_e591].member[_e613];
                                             let _e625 = (_e200 % 3u);
                                             if (_e625 < 3u) {
                                             } else {
-                                                phi_2585_ = true;
+                                                phi_2694_ = true;
                                                 break;
                                             }
-                                            let _e631 = global_2.member[_e587].member[_e625];
-                                            let _e641 = global_2.member[_e587].member_1;
-                                            let _e645 = global_2.member[_e587].member_2;
-                                            phi_1992_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e607[0], _e607[1], _e607[2], _e607[3]), vec4<f32>(_e619[0], _e619[1], _e619[2], _e619[3]), vec4<f32>(_e631[0], _e631[1], _e631[2], _e631[3])), _e641, _e645);
+                                            let _e631 = global_2.member[_e591].member[_e625];
+                                            let _e641 = global_2.member[_e591].member_1;
+                                            let _e645 = global_2.member[_e591].member_2;
+                                            phi_2080_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e607[0], _e607[1], _e607[2], _e607[3]), vec4<f32>(_e619[0], _e619[1], _e619[2], _e619[3]), vec4<f32>(_e631[0], _e631[1], _e631[2], _e631[3])), _e641, _e645);
                                         }
-                                        let _e648 = phi_1992_;
+                                        let _e648 = phi_2080_;
                                         let _e660 = ((_e648.member[0].x - _e301) * _e306);
                                         let _e661 = ((_e648.member[0].y - _e301) * _e306);
                                         let _e662 = ((_e648.member[0].z - _e302) * _e306);
@@ -1074,152 +1074,152 @@ fn function_() {
                                         if _e748 {
                                             if _e749 {
                                                 if _e750 {
-                                                    phi_2336_ = _e648.member_2;
+                                                    phi_2442_ = _e648.member_2;
                                                 } else {
-                                                    phi_2336_ = _e648.member_1;
+                                                    phi_2442_ = _e648.member_1;
                                                 }
-                                                let _e754 = phi_2336_;
-                                                let _e757 = (_e591 % 128u);
+                                                let _e754 = phi_2442_;
+                                                let _e757 = (_e589 % 128u);
                                                 let _e758 = (_e757 < 128u);
                                                 if _e758 {
                                                 } else {
-                                                    phi_2585_ = true;
+                                                    phi_2694_ = true;
                                                     break;
                                                 }
                                                 local_1[_e757] = _e754;
                                                 if _e758 {
                                                 } else {
-                                                    phi_2585_ = true;
+                                                    phi_2694_ = true;
                                                     break;
                                                 }
-                                                local[_e757] = select(_e743, _e741, (_e741 > _e743));
+                                                local[_e757] = select(_e743, _e741, !(_e750));
                                                 if _e750 {
-                                                    phi_2364_ = _e648.member_1;
+                                                    phi_2470_ = _e648.member_1;
                                                 } else {
-                                                    phi_2364_ = _e648.member_2;
+                                                    phi_2470_ = _e648.member_2;
                                                 }
-                                                let _e765 = phi_2364_;
-                                                phi_2365_ = _e765;
-                                                phi_2366_ = (_e591 + 1u);
+                                                let _e765 = phi_2470_;
+                                                phi_2471_ = (_e589 + 1u);
+                                                phi_2472_ = _e765;
                                             } else {
-                                                phi_2365_ = u32();
-                                                phi_2366_ = u32();
+                                                phi_2471_ = u32();
+                                                phi_2472_ = u32();
                                             }
-                                            let _e767 = phi_2365_;
-                                            let _e769 = phi_2366_;
-                                            phi_2368_ = _e767;
-                                            phi_2369_ = _e769;
-                                            phi_2370_ = select(true, false, _e749);
+                                            let _e767 = phi_2471_;
+                                            let _e769 = phi_2472_;
+                                            phi_2474_ = _e767;
+                                            phi_2475_ = _e769;
+                                            phi_2476_ = select(true, false, _e749);
                                         } else {
-                                            phi_2368_ = u32();
-                                            phi_2369_ = u32();
-                                            phi_2370_ = true;
+                                            phi_2474_ = u32();
+                                            phi_2475_ = u32();
+                                            phi_2476_ = true;
                                         }
-                                        let _e772 = phi_2368_;
-                                        let _e774 = phi_2369_;
-                                        let _e776 = phi_2370_;
+                                        let _e772 = phi_2474_;
+                                        let _e774 = phi_2475_;
+                                        let _e776 = phi_2476_;
                                         if _e776 {
                                             if _e748 {
-                                                phi_2379_ = _e648.member_1;
+                                                phi_2485_ = _e648.member_1;
                                             } else {
-                                                phi_2379_ = _e648.member_2;
+                                                phi_2485_ = _e648.member_2;
                                             }
-                                            let _e780 = phi_2379_;
-                                            phi_2384_ = _e780;
-                                            phi_2385_ = select(_e749, true, _e748);
+                                            let _e780 = phi_2485_;
+                                            phi_2490_ = select(_e749, true, _e748);
+                                            phi_2492_ = _e780;
                                         } else {
-                                            phi_2384_ = _e772;
-                                            phi_2385_ = _e589;
+                                            phi_2490_ = _e587;
+                                            phi_2492_ = _e774;
                                         }
-                                        let _e783 = phi_2384_;
-                                        let _e785 = phi_2385_;
-                                        phi_2589_ = _e562;
-                                        phi_2387_ = _e564;
-                                        phi_2388_ = _e783;
-                                        phi_2389_ = _e785;
-                                        phi_2390_ = select(_e774, _e591, _e776);
+                                        let _e783 = phi_2490_;
+                                        let _e785 = phi_2492_;
+                                        phi_2698_ = _e562;
+                                        phi_2496_ = _e564;
+                                        phi_2497_ = _e783;
+                                        phi_2498_ = select(_e772, _e589, _e776);
+                                        phi_2499_ = _e785;
                                     }
-                                    let _e1372 = phi_2589_;
-                                    let _e1374 = phi_2387_;
-                                    let _e1376 = phi_2388_;
-                                    let _e1378 = phi_2389_;
-                                    let _e1380 = phi_2390_;
-                                    phi_2588_ = _e1372;
-                                    phi_2391_ = _e1374;
-                                    phi_2392_ = _e1376;
-                                    phi_2393_ = (_e568 - 1u);
-                                    phi_2394_ = _e1378;
-                                    phi_2395_ = _e1380;
+                                    let _e1372 = phi_2698_;
+                                    let _e1374 = phi_2496_;
+                                    let _e1376 = phi_2497_;
+                                    let _e1378 = phi_2498_;
+                                    let _e1380 = phi_2499_;
+                                    phi_2697_ = _e1372;
+                                    phi_2500_ = _e1374;
+                                    phi_2501_ = _e1376;
+                                    phi_2502_ = (_e568 - 1u);
+                                    phi_2503_ = _e1378;
+                                    phi_2504_ = _e1380;
                                 } else {
-                                    phi_2588_ = _e562;
-                                    phi_2391_ = _e564;
-                                    phi_2392_ = _e587;
-                                    phi_2393_ = _e568;
-                                    phi_2394_ = _e589;
-                                    phi_2395_ = _e591;
+                                    phi_2697_ = _e562;
+                                    phi_2500_ = _e564;
+                                    phi_2501_ = _e587;
+                                    phi_2502_ = _e568;
+                                    phi_2503_ = _e589;
+                                    phi_2504_ = _e591;
                                 }
-                                let _e1382 = phi_2588_;
-                                let _e1384 = phi_2391_;
-                                let _e1386 = phi_2392_;
-                                let _e1388 = phi_2393_;
-                                let _e1390 = phi_2394_;
-                                let _e1392 = phi_2395_;
-                                phi_2587_ = _e1382;
-                                phi_2396_ = _e1384;
-                                phi_2397_ = _e1386;
-                                phi_2398_ = _e1388;
-                                phi_2399_ = _e1390;
-                                phi_2400_ = _e1392;
+                                let _e1382 = phi_2697_;
+                                let _e1384 = phi_2500_;
+                                let _e1386 = phi_2501_;
+                                let _e1388 = phi_2502_;
+                                let _e1390 = phi_2503_;
+                                let _e1392 = phi_2504_;
+                                phi_2696_ = _e1382;
+                                phi_2505_ = _e1384;
+                                phi_2506_ = _e1386;
+                                phi_2507_ = _e1388;
+                                phi_2508_ = _e1390;
+                                phi_2509_ = _e1392;
                             } else {
-                                phi_2587_ = _e562;
-                                phi_2396_ = type_46();
-                                phi_2397_ = u32();
-                                phi_2398_ = u32();
-                                phi_2399_ = bool();
-                                phi_2400_ = u32();
+                                phi_2696_ = _e562;
+                                phi_2505_ = type_46();
+                                phi_2506_ = bool();
+                                phi_2507_ = u32();
+                                phi_2508_ = u32();
+                                phi_2509_ = u32();
                             }
-                            let _e1394 = phi_2587_;
-                            let _e1396 = phi_2396_;
-                            let _e1398 = phi_2397_;
-                            let _e1400 = phi_2398_;
-                            let _e1402 = phi_2399_;
-                            let _e1404 = phi_2400_;
-                            phi_2586_ = _e1394;
-                            phi_875_ = _e1396;
-                            phi_878_ = _e1398;
-                            phi_880_ = _e1400;
-                            phi_882_ = _e1402;
-                            phi_884_ = _e1404;
-                            phi_2401_ = _e576;
+                            let _e1394 = phi_2696_;
+                            let _e1396 = phi_2505_;
+                            let _e1398 = phi_2506_;
+                            let _e1400 = phi_2507_;
+                            let _e1402 = phi_2508_;
+                            let _e1404 = phi_2509_;
+                            phi_2695_ = _e1394;
+                            phi_890_ = _e1396;
+                            phi_893_ = _e1398;
+                            phi_895_ = _e1400;
+                            phi_897_ = _e1402;
+                            phi_899_ = _e1404;
+                            phi_2510_ = _e576;
                         } else {
-                            phi_2586_ = _e562;
-                            phi_875_ = type_46();
-                            phi_878_ = u32();
-                            phi_880_ = u32();
-                            phi_882_ = bool();
-                            phi_884_ = u32();
-                            phi_2401_ = false;
+                            phi_2695_ = _e562;
+                            phi_890_ = type_46();
+                            phi_893_ = bool();
+                            phi_895_ = u32();
+                            phi_897_ = u32();
+                            phi_899_ = u32();
+                            phi_2510_ = false;
                         }
-                        let _e1406 = phi_2586_;
-                        let _e1408 = phi_875_;
-                        let _e1410 = phi_878_;
-                        let _e1412 = phi_880_;
-                        let _e1414 = phi_882_;
-                        let _e1416 = phi_884_;
-                        let _e1418 = phi_2401_;
+                        let _e1406 = phi_2695_;
+                        let _e1408 = phi_890_;
+                        let _e1410 = phi_893_;
+                        let _e1412 = phi_895_;
+                        let _e1414 = phi_897_;
+                        let _e1416 = phi_899_;
+                        let _e1418 = phi_2510_;
                         continue;
                         continuing {
-                            phi_2434_ = _e1406;
-                            phi_874_ = _e1408;
-                            phi_877_ = _e1410;
-                            phi_879_ = _e1412;
-                            phi_881_ = _e1414;
-                            phi_883_ = _e1416;
-                            phi_2585_ = _e1406;
+                            phi_2543_ = _e1406;
+                            phi_889_ = _e1408;
+                            phi_892_ = _e1410;
+                            phi_894_ = _e1412;
+                            phi_896_ = _e1414;
+                            phi_898_ = _e1416;
+                            phi_2694_ = _e1406;
                             break if !(_e1418);
                         }
                     }
-                    let _e1421 = phi_2585_;
+                    let _e1421 = phi_2694_;
                     if _e1421 {
                         break;
                     }

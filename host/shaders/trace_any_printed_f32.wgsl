@@ -93,133 +93,133 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_330_: i32;
-    var phi_331_: i32;
-    var phi_341_: bool;
-    var phi_351_: u32;
-    var phi_352_: u32;
-    var phi_354_: bool;
-    var phi_359_: u32;
-    var phi_371_: i32;
-    var phi_391_: i32;
-    var phi_409_: f32;
-    var phi_415_: f32;
-    var phi_455_: f32;
-    var phi_461_: f32;
-    var phi_513_: f32;
+    var phi_340_: i32;
+    var phi_341_: i32;
+    var phi_351_: bool;
+    var phi_361_: u32;
+    var phi_362_: u32;
+    var phi_364_: bool;
+    var phi_369_: u32;
+    var phi_382_: i32;
+    var phi_402_: i32;
+    var phi_420_: f32;
+    var phi_426_: f32;
+    var phi_466_: f32;
+    var phi_472_: f32;
     var phi_524_: f32;
-    var phi_533_: f32;
-    var phi_539_: f32;
-    var phi_579_: f32;
-    var phi_585_: f32;
-    var phi_637_: f32;
-    var phi_648_: f32;
-    var phi_657_: f32;
-    var phi_663_: f32;
-    var phi_703_: f32;
-    var phi_709_: f32;
-    var phi_761_: f32;
-    var phi_772_: f32;
-    var phi_827_: i32;
-    var phi_849_: u32;
-    var phi_850_: u32;
-    var phi_887_: i32;
-    var phi_909_: u32;
-    var phi_910_: u32;
-    var phi_918_: f32;
-    var phi_919_: f32;
-    var phi_3152_: bool;
-    var phi_992_: type_37;
-    var phi_995_: type_48;
-    var phi_997_: u32;
-    var phi_999_: bool;
-    var phi_1001_: u32;
-    var phi_1012_: bool;
-    var phi_1098_: type_48;
-    var phi_1099_: bool;
-    var phi_1100_: u32;
-    var phi_2126_: type_41;
-    var phi_2982_: type_48;
-    var phi_3059_: type_48;
-    var phi_3060_: type_48;
-    var phi_3061_: u32;
-    var phi_3063_: type_48;
-    var phi_3064_: u32;
-    var phi_3065_: bool;
-    var phi_3072_: type_48;
-    var phi_3077_: type_48;
-    var phi_3078_: bool;
-    var phi_1118_: type_37;
-    var phi_1121_: type_7;
-    var phi_1122_: type_7;
-    var phi_1144_: type_7;
-    var phi_1165_: u32;
-    var phi_1254_: array<array<f32, 3>, 3>;
-    var phi_1371_: bool;
-    var phi_1400_: bool;
-    var phi_1801_: f32;
-    var phi_1802_: f32;
-    var phi_1803_: f32;
-    var phi_1804_: f32;
-    var phi_1805_: vec3<f32>;
-    var phi_1806_: vec3<f32>;
-    var phi_1807_: vec3<f32>;
-    var phi_1808_: vec3<f32>;
-    var phi_1839_: bool;
-    var phi_1848_: vec3<f32>;
-    var phi_2013_: f32;
-    var phi_2015_: f32;
-    var phi_2016_: bool;
-    var phi_2036_: f32;
-    var phi_2037_: f32;
-    var phi_2060_: type_25;
-    var phi_2062_: type_25;
-    var phi_2063_: bool;
-    var phi_2067_: type_25;
-    var phi_2068_: type_25;
-    var phi_2069_: type_25;
-    var phi_2070_: bool;
-    var phi_2074_: type_25;
-    var phi_2075_: bool;
-    var phi_2076_: type_25;
-    var phi_2077_: bool;
-    var phi_2078_: bool;
-    var phi_2079_: type_25;
-    var phi_2080_: bool;
-    var phi_2081_: bool;
-    var phi_2089_: type_25;
-    var phi_2090_: bool;
-    var phi_2094_: type_25;
-    var phi_2105_: type_37;
-    var phi_2106_: type_37;
-    var phi_1119_: type_37;
-    var phi_3146_: bool;
+    var phi_536_: f32;
+    var phi_545_: f32;
+    var phi_551_: f32;
+    var phi_591_: f32;
+    var phi_597_: f32;
+    var phi_649_: f32;
+    var phi_661_: f32;
+    var phi_670_: f32;
+    var phi_676_: f32;
+    var phi_716_: f32;
+    var phi_722_: f32;
+    var phi_774_: f32;
+    var phi_786_: f32;
+    var phi_841_: i32;
+    var phi_863_: u32;
+    var phi_864_: u32;
+    var phi_901_: i32;
+    var phi_923_: u32;
+    var phi_924_: u32;
+    var phi_932_: f32;
+    var phi_933_: f32;
+    var phi_3279_: bool;
+    var phi_1016_: type_37;
+    var phi_1019_: bool;
+    var phi_1021_: u32;
+    var phi_1023_: u32;
+    var phi_1025_: type_48;
+    var phi_1036_: bool;
+    var phi_1122_: bool;
+    var phi_1123_: u32;
+    var phi_1124_: type_48;
+    var phi_2220_: type_41;
+    var phi_3106_: type_48;
+    var phi_3183_: type_48;
+    var phi_3184_: u32;
+    var phi_3185_: type_48;
+    var phi_3187_: u32;
+    var phi_3188_: type_48;
+    var phi_3189_: bool;
+    var phi_3196_: type_48;
+    var phi_3201_: bool;
+    var phi_3203_: type_48;
+    var phi_1142_: type_37;
+    var phi_1145_: type_7;
+    var phi_1146_: type_7;
+    var phi_1168_: type_7;
+    var phi_1189_: u32;
+    var phi_1281_: array<array<f32, 3>, 3>;
+    var phi_1433_: bool;
+    var phi_1462_: bool;
+    var phi_1881_: f32;
+    var phi_1882_: f32;
+    var phi_1883_: f32;
+    var phi_1884_: f32;
+    var phi_1885_: vec3<f32>;
+    var phi_1886_: vec3<f32>;
+    var phi_1887_: vec3<f32>;
+    var phi_1888_: vec3<f32>;
+    var phi_1925_: bool;
+    var phi_1934_: vec3<f32>;
+    var phi_2099_: f32;
+    var phi_2101_: f32;
+    var phi_2102_: bool;
+    var phi_2122_: f32;
+    var phi_2123_: f32;
+    var phi_2146_: type_25;
+    var phi_2148_: type_25;
+    var phi_2149_: bool;
+    var phi_2153_: type_25;
+    var phi_2154_: type_25;
+    var phi_2155_: type_25;
+    var phi_2156_: bool;
+    var phi_2160_: type_25;
+    var phi_2161_: bool;
+    var phi_2162_: type_25;
+    var phi_2163_: bool;
+    var phi_2164_: bool;
+    var phi_2165_: type_25;
+    var phi_2166_: bool;
+    var phi_2167_: bool;
+    var phi_2175_: type_25;
+    var phi_2176_: bool;
+    var phi_2180_: type_25;
+    var phi_2191_: type_37;
+    var phi_2192_: type_37;
+    var phi_1143_: type_37;
+    var phi_3273_: bool;
     var local_10: type_37;
-    var phi_3307_: bool;
-    var phi_3080_: type_37;
-    var phi_3081_: type_48;
-    var phi_3082_: bool;
-    var phi_3083_: u32;
-    var phi_3306_: bool;
-    var phi_3084_: type_37;
-    var phi_3085_: type_48;
-    var phi_3086_: u32;
-    var phi_3087_: bool;
-    var phi_3088_: u32;
-    var phi_3305_: bool;
-    var phi_3089_: type_37;
-    var phi_3090_: type_48;
-    var phi_3091_: u32;
-    var phi_3092_: bool;
-    var phi_3093_: u32;
-    var phi_3304_: bool;
-    var phi_993_: type_37;
-    var phi_996_: type_48;
-    var phi_998_: u32;
-    var phi_1000_: bool;
-    var phi_1002_: u32;
-    var phi_3094_: bool;
-    var phi_3303_: bool;
+    var phi_3434_: bool;
+    var phi_3207_: type_37;
+    var phi_3208_: bool;
+    var phi_3209_: u32;
+    var phi_3210_: type_48;
+    var phi_3433_: bool;
+    var phi_3211_: type_37;
+    var phi_3212_: bool;
+    var phi_3213_: u32;
+    var phi_3214_: u32;
+    var phi_3215_: type_48;
+    var phi_3432_: bool;
+    var phi_3216_: type_37;
+    var phi_3217_: bool;
+    var phi_3218_: u32;
+    var phi_3219_: u32;
+    var phi_3220_: type_48;
+    var phi_3431_: bool;
+    var phi_1017_: type_37;
+    var phi_1020_: bool;
+    var phi_1022_: u32;
+    var phi_1024_: u32;
+    var phi_1026_: type_48;
+    var phi_3221_: bool;
+    var phi_3430_: bool;
     var local_11: type_37;
     var local_12: type_37;
 
@@ -273,211 +273,211 @@ fn function_() {
                     if _e208 {
                         let _e211 = (bitcast<u32>(bitcast<f32>(_e183)) & 2147483647u);
                         if (_e211 >= 8388608u) {
-                            phi_330_ = (bitcast<i32>((_e211 >> bitcast<u32>(23i))) - 127i);
+                            phi_340_ = (bitcast<i32>((_e211 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_330_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e211)), 32u, (_e211 == 0u))));
+                            phi_340_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e211)), 32u, (_e211 == 0u))));
                         }
-                        let _e225 = phi_330_;
-                        phi_331_ = _e225;
+                        let _e225 = phi_340_;
+                        phi_341_ = _e225;
                     } else {
-                        phi_331_ = 0i;
+                        phi_341_ = 0i;
                     }
-                    let _e227 = phi_331_;
+                    let _e227 = phi_341_;
                     let _e228 = (_e144 == _e183);
                     if _e228 {
-                        phi_341_ = true;
+                        phi_351_ = true;
                     } else {
-                        phi_341_ = (_e151 == _e183);
+                        phi_351_ = (_e151 == _e183);
                     }
-                    let _e231 = phi_341_;
+                    let _e231 = phi_351_;
                     let _e232 = select(1u, 0u, _e228);
                     if _e231 {
                         let _e233 = (_e232 + 1u);
-                        phi_351_ = _e233;
-                        phi_352_ = _e233;
-                        phi_354_ = select(true, false, (_e233 == 2u));
+                        phi_361_ = _e233;
+                        phi_362_ = _e233;
+                        phi_364_ = select(true, false, (_e233 == 2u));
                     } else {
-                        phi_351_ = u32();
-                        phi_352_ = 0u;
-                        phi_354_ = true;
+                        phi_361_ = u32();
+                        phi_362_ = 0u;
+                        phi_364_ = true;
                     }
-                    let _e237 = phi_351_;
-                    let _e239 = phi_352_;
-                    let _e241 = phi_354_;
+                    let _e237 = phi_361_;
+                    let _e239 = phi_362_;
+                    let _e241 = phi_364_;
                     if _e241 {
-                        phi_359_ = (_e239 + 1u);
+                        phi_369_ = (_e239 + 1u);
                     } else {
-                        phi_359_ = 0u;
+                        phi_369_ = 0u;
                     }
-                    let _e245 = phi_359_;
+                    let _e245 = phi_369_;
                     let _e246 = select(_e237, _e239, _e241);
                     let _e247 = select(_e232, select(2u, _e232, _e231), _e241);
                     if (_e122 < -126i) {
-                        phi_371_ = -126i;
+                        phi_382_ = -126i;
                     } else {
-                        phi_371_ = select(_e122, 127i, (_e122 > 127i));
+                        phi_382_ = select(_e122, 127i, (_e122 > 127i));
                     }
-                    let _e252 = phi_371_;
+                    let _e252 = phi_382_;
                     let _e257 = bitcast<f32>((bitcast<u32>((_e252 + 127i)) << bitcast<u32>(23i)));
                     let _e263 = bitcast<f32>((bitcast<u32>(((_e122 - _e252) + 127i)) << bitcast<u32>(23i)));
                     let _e264 = -(_e227);
                     if (_e264 < -126i) {
-                        phi_391_ = -126i;
+                        phi_402_ = -126i;
                     } else {
-                        phi_391_ = select(_e264, 127i, (_e264 > 127i));
+                        phi_402_ = select(_e264, 127i, (_e264 > 127i));
                     }
-                    let _e269 = phi_391_;
+                    let _e269 = phi_402_;
                     let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
                     let _e280 = bitcast<f32>((bitcast<u32>(((_e264 - _e269) + 127i)) << bitcast<u32>(23i)));
                     let _e284 = global_4.member[_e132].member;
                     let _e285 = (_e246 == 0u);
                     if _e285 {
-                        phi_409_ = _e284[0];
+                        phi_420_ = _e284[0];
                     } else {
-                        phi_409_ = _e284[1];
+                        phi_420_ = _e284[1];
                     }
-                    let _e289 = phi_409_;
+                    let _e289 = phi_420_;
                     let _e290 = (_e246 == 2u);
                     if _e290 {
-                        phi_415_ = _e284[2];
+                        phi_426_ = _e284[2];
                     } else {
-                        phi_415_ = _e289;
+                        phi_426_ = _e289;
                     }
-                    let _e293 = phi_415_;
+                    let _e293 = phi_426_;
                     let _e294 = bitcast<u32>(_e293);
                     let _e296 = ((_e294 & 2139095040u) != 0u);
                     let _e310 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e293, _e296) * _e257) * select(0.00000011920929f, 1f, _e296)) * _e263);
                     let _e311 = global_4.member[_e132].member_2;
                     if _e285 {
-                        phi_455_ = _e311[0];
+                        phi_466_ = _e311[0];
                     } else {
-                        phi_455_ = _e311[1];
+                        phi_466_ = _e311[1];
                     }
-                    let _e315 = phi_455_;
+                    let _e315 = phi_466_;
                     if _e290 {
-                        phi_461_ = _e311[2];
+                        phi_472_ = _e311[2];
                     } else {
-                        phi_461_ = _e315;
+                        phi_472_ = _e315;
                     }
-                    let _e318 = phi_461_;
+                    let _e318 = phi_472_;
                     let _e319 = bitcast<u32>(_e318);
                     let _e321 = ((_e319 & 2139095040u) != 0u);
                     let _e335 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e319 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e319 & 2147483648u))), _e318, _e321) * _e274) * select(0.00000011920929f, 1f, _e321)) * _e280);
                     let _e339 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e339 {
                         let _e343 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
-                        phi_513_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
+                        phi_524_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
                     } else {
-                        phi_513_ = 0f;
+                        phi_524_ = 0f;
                     }
-                    let _e347 = phi_513_;
+                    let _e347 = phi_524_;
                     let _e348 = (_e310 + _e347);
                     let _e349 = (_e310 - _e347);
                     let _e350 = select(_e335, 0f, _e339);
                     if _e339 {
-                        phi_524_ = 38685626000000000000000000f;
+                        phi_536_ = 38685626000000000000000000f;
                     } else {
-                        phi_524_ = (1f / _e335);
+                        phi_536_ = (1f / _e335);
                     }
-                    let _e353 = phi_524_;
+                    let _e353 = phi_536_;
                     let _e354 = (_e245 == 0u);
                     if _e354 {
-                        phi_533_ = _e284[0];
+                        phi_545_ = _e284[0];
                     } else {
-                        phi_533_ = _e284[1];
+                        phi_545_ = _e284[1];
                     }
-                    let _e358 = phi_533_;
+                    let _e358 = phi_545_;
                     let _e359 = (_e245 == 2u);
                     if _e359 {
-                        phi_539_ = _e284[2];
+                        phi_551_ = _e284[2];
                     } else {
-                        phi_539_ = _e358;
+                        phi_551_ = _e358;
                     }
-                    let _e362 = phi_539_;
+                    let _e362 = phi_551_;
                     let _e363 = bitcast<u32>(_e362);
                     let _e365 = ((_e363 & 2139095040u) != 0u);
                     let _e379 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e363 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e363 & 2147483648u))), _e362, _e365) * _e257) * select(0.00000011920929f, 1f, _e365)) * _e263);
                     if _e354 {
-                        phi_579_ = _e311[0];
+                        phi_591_ = _e311[0];
                     } else {
-                        phi_579_ = _e311[1];
+                        phi_591_ = _e311[1];
                     }
-                    let _e383 = phi_579_;
+                    let _e383 = phi_591_;
                     if _e359 {
-                        phi_585_ = _e311[2];
+                        phi_597_ = _e311[2];
                     } else {
-                        phi_585_ = _e383;
+                        phi_597_ = _e383;
                     }
-                    let _e386 = phi_585_;
+                    let _e386 = phi_597_;
                     let _e387 = bitcast<u32>(_e386);
                     let _e389 = ((_e387 & 2139095040u) != 0u);
                     let _e403 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e387 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e387 & 2147483648u))), _e386, _e389) * _e274) * select(0.00000011920929f, 1f, _e389)) * _e280);
                     let _e407 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e407 {
                         let _e411 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_637_ = select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f));
+                        phi_649_ = select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f));
                     } else {
-                        phi_637_ = 0f;
+                        phi_649_ = 0f;
                     }
-                    let _e415 = phi_637_;
+                    let _e415 = phi_649_;
                     let _e416 = (_e379 + _e415);
                     let _e417 = (_e379 - _e415);
                     let _e418 = select(_e403, 0f, _e407);
                     if _e407 {
-                        phi_648_ = 38685626000000000000000000f;
+                        phi_661_ = 38685626000000000000000000f;
                     } else {
-                        phi_648_ = (1f / _e403);
+                        phi_661_ = (1f / _e403);
                     }
-                    let _e421 = phi_648_;
+                    let _e421 = phi_661_;
                     let _e422 = (_e247 == 0u);
                     if _e422 {
-                        phi_657_ = _e284[0];
+                        phi_670_ = _e284[0];
                     } else {
-                        phi_657_ = _e284[1];
+                        phi_670_ = _e284[1];
                     }
-                    let _e426 = phi_657_;
+                    let _e426 = phi_670_;
                     let _e427 = (_e247 == 2u);
                     if _e427 {
-                        phi_663_ = _e284[2];
+                        phi_676_ = _e284[2];
                     } else {
-                        phi_663_ = _e426;
+                        phi_676_ = _e426;
                     }
-                    let _e430 = phi_663_;
+                    let _e430 = phi_676_;
                     let _e431 = bitcast<u32>(_e430);
                     let _e433 = ((_e431 & 2139095040u) != 0u);
                     let _e447 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e431 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e431 & 2147483648u))), _e430, _e433) * _e257) * select(0.00000011920929f, 1f, _e433)) * _e263);
                     if _e422 {
-                        phi_703_ = _e311[0];
+                        phi_716_ = _e311[0];
                     } else {
-                        phi_703_ = _e311[1];
+                        phi_716_ = _e311[1];
                     }
-                    let _e451 = phi_703_;
+                    let _e451 = phi_716_;
                     if _e427 {
-                        phi_709_ = _e311[2];
+                        phi_722_ = _e311[2];
                     } else {
-                        phi_709_ = _e451;
+                        phi_722_ = _e451;
                     }
-                    let _e454 = phi_709_;
+                    let _e454 = phi_722_;
                     let _e455 = bitcast<u32>(_e454);
                     let _e457 = ((_e455 & 2139095040u) != 0u);
                     let _e471 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e455 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e455 & 2147483648u))), _e454, _e457) * _e274) * select(0.00000011920929f, 1f, _e457)) * _e280);
                     let _e475 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e475 {
                         let _e479 = (bitcast<f32>((bitcast<u32>(_e447) & 2147483647u)) * 0.00000011920929f);
-                        phi_761_ = select(0.00000000000011368684f, _e479, (_e479 > 0.00000000000011368684f));
+                        phi_774_ = select(0.00000000000011368684f, _e479, (_e479 > 0.00000000000011368684f));
                     } else {
-                        phi_761_ = 0f;
+                        phi_774_ = 0f;
                     }
-                    let _e483 = phi_761_;
+                    let _e483 = phi_774_;
                     let _e484 = (_e447 + _e483);
                     let _e485 = (_e447 - _e483);
                     let _e486 = select(_e471, 0f, _e475);
                     if _e475 {
-                        phi_772_ = 38685626000000000000000000f;
+                        phi_786_ = 38685626000000000000000000f;
                     } else {
-                        phi_772_ = (1f / _e471);
+                        phi_786_ = (1f / _e471);
                     }
-                    let _e489 = phi_772_;
+                    let _e489 = phi_786_;
                     let _e492 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
                     let _e495 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
                     let _e497 = select(_e495, _e492, (_e492 > _e495));
@@ -489,55 +489,55 @@ fn function_() {
                         let _e520 = (_e513 == 0u);
                         let _e523 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e513)), 32u, _e520)) - 8i);
                         if (_e516 == 255i) {
-                            phi_827_ = 255i;
+                            phi_841_ = 255i;
                         } else {
-                            phi_827_ = (((_e516 + select(0i, 1i, (_e516 == 0i))) - _e523) + _e503);
+                            phi_841_ = (((_e516 + select(0i, 1i, (_e516 == 0i))) - _e523) + _e503);
                         }
-                        let _e531 = phi_827_;
+                        let _e531 = phi_841_;
                         let _e541 = (_e531 <= 0i);
                         if _e541 {
-                            phi_850_ = u32();
+                            phi_864_ = u32();
                         } else {
                             if _e520 {
-                                phi_849_ = u32();
+                                phi_863_ = u32();
                             } else {
-                                phi_849_ = select(((bitcast<u32>(_e531) << bitcast<u32>(23i)) | ((_e513 << bitcast<u32>(((_e523 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e531 >= 255i));
+                                phi_863_ = select(((bitcast<u32>(_e531) << bitcast<u32>(23i)) | ((_e513 << bitcast<u32>(((_e523 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e531 >= 255i));
                             }
-                            let _e545 = phi_849_;
-                            phi_850_ = _e545;
+                            let _e545 = phi_863_;
+                            phi_864_ = _e545;
                         }
-                        let _e547 = phi_850_;
+                        let _e547 = phi_864_;
                         let _e559 = ((_e204 & 8388607u) | (select(0u, 1u, ((_e204 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e562 = bitcast<i32>((_e204 >> bitcast<u32>(23i)));
                         let _e566 = (_e559 == 0u);
                         let _e569 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e559)), 32u, _e566)) - 8i);
                         if (_e562 == 255i) {
-                            phi_887_ = 255i;
+                            phi_901_ = 255i;
                         } else {
-                            phi_887_ = (((_e562 + select(0i, 1i, (_e562 == 0i))) - _e569) + _e503);
+                            phi_901_ = (((_e562 + select(0i, 1i, (_e562 == 0i))) - _e569) + _e503);
                         }
-                        let _e577 = phi_887_;
+                        let _e577 = phi_901_;
                         let _e587 = (_e577 <= 0i);
                         if _e587 {
-                            phi_910_ = u32();
+                            phi_924_ = u32();
                         } else {
                             if _e566 {
-                                phi_909_ = u32();
+                                phi_923_ = u32();
                             } else {
-                                phi_909_ = select(((bitcast<u32>(_e577) << bitcast<u32>(23i)) | ((_e559 << bitcast<u32>(((_e569 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e577 >= 255i));
+                                phi_923_ = select(((bitcast<u32>(_e577) << bitcast<u32>(23i)) | ((_e559 << bitcast<u32>(((_e569 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e577 >= 255i));
                             }
-                            let _e591 = phi_909_;
-                            phi_910_ = _e591;
+                            let _e591 = phi_923_;
+                            phi_924_ = _e591;
                         }
-                        let _e593 = phi_910_;
-                        phi_918_ = bitcast<f32>(((_e203 & 2147483648u) | select(_e593, 0u, select(_e566, true, _e587))));
-                        phi_919_ = bitcast<f32>(((_e194 & 2147483648u) | select(_e547, 0u, select(_e520, true, _e541))));
+                        let _e593 = phi_924_;
+                        phi_932_ = bitcast<f32>(((_e203 & 2147483648u) | select(_e593, 0u, select(_e566, true, _e587))));
+                        phi_933_ = bitcast<f32>(((_e194 & 2147483648u) | select(_e547, 0u, select(_e520, true, _e541))));
                     } else {
-                        phi_918_ = 0f;
-                        phi_919_ = 1f;
+                        phi_932_ = 0f;
+                        phi_933_ = 1f;
                     }
-                    let _e599 = phi_918_;
-                    let _e601 = phi_919_;
+                    let _e599 = phi_932_;
+                    let _e601 = phi_933_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -584,197 +584,197 @@ fn function_() {
                         break;
                     }
                     let _e625 = local_8[_e614];
-                    phi_3152_ = false;
-                    phi_992_ = type_37(_e599, false);
-                    phi_995_ = type_48(type_46(array<f32, 3>(_e609, _e613, _e617), array<f32, 3>(_e621, _e623, _e625)), select(0u, 2147483648u, (_e84 == 0u)));
-                    phi_997_ = ((3u * _e84) + 1u);
-                    phi_999_ = (_e601 <= _e599);
-                    phi_1001_ = 0u;
+                    phi_3279_ = false;
+                    phi_1016_ = type_37(_e599, false);
+                    phi_1019_ = (_e601 <= _e599);
+                    phi_1021_ = ((3u * _e84) + 1u);
+                    phi_1023_ = 0u;
+                    phi_1025_ = type_48(type_46(array<f32, 3>(_e609, _e613, _e617), array<f32, 3>(_e621, _e623, _e625)), select(0u, 2147483648u, (_e84 == 0u)));
                     loop {
-                        let _e633 = phi_3152_;
-                        let _e635 = phi_992_;
-                        let _e637 = phi_995_;
-                        let _e639 = phi_997_;
-                        let _e641 = phi_999_;
-                        let _e643 = phi_1001_;
+                        let _e633 = phi_3279_;
+                        let _e635 = phi_1016_;
+                        let _e637 = phi_1019_;
+                        let _e639 = phi_1021_;
+                        let _e641 = phi_1023_;
+                        let _e643 = phi_1025_;
                         local_11 = _e635;
-                        if _e641 {
-                            phi_1012_ = true;
+                        if _e637 {
+                            phi_1036_ = true;
                         } else {
-                            phi_1012_ = (_e643 > 0u);
+                            phi_1036_ = (_e641 > 0u);
                         }
-                        let _e646 = phi_1012_;
+                        let _e646 = phi_1036_;
                         if _e646 {
                             let _e647 = (_e639 > 0u);
                             if _e647 {
-                                if _e641 {
-                                    phi_1098_ = _e637;
-                                    phi_1099_ = _e641;
-                                    phi_1100_ = _e643;
+                                if _e637 {
+                                    phi_1122_ = _e637;
+                                    phi_1123_ = _e641;
+                                    phi_1124_ = _e643;
                                 } else {
-                                    let _e648 = (_e643 - 1u);
+                                    let _e648 = (_e641 - 1u);
                                     let _e649 = (_e648 % 128u);
                                     let _e650 = (_e649 < 128u);
                                     if _e650 {
                                     } else {
-                                        phi_3303_ = true;
+                                        phi_3430_ = true;
                                         break;
                                     }
                                     let _e652 = local_6[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3303_ = true;
+                                        phi_3430_ = true;
                                         break;
                                     }
                                     let _e654 = local_5[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3303_ = true;
+                                        phi_3430_ = true;
                                         break;
                                     }
                                     let _e656 = local_4[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3303_ = true;
+                                        phi_3430_ = true;
                                         break;
                                     }
                                     let _e658 = local_3[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3303_ = true;
+                                        phi_3430_ = true;
                                         break;
                                     }
                                     let _e661 = local_2[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3303_ = true;
+                                        phi_3430_ = true;
                                         break;
                                     }
                                     let _e663 = local_1[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3303_ = true;
+                                        phi_3430_ = true;
                                         break;
                                     }
                                     let _e665 = local[_e649];
                                     if _e650 {
                                     } else {
-                                        phi_3303_ = true;
+                                        phi_3430_ = true;
                                         break;
                                     }
                                     let _e670 = local_7[_e649];
-                                    phi_1098_ = type_48(type_46(array<f32, 3>(_e654, _e656, _e658), array<f32, 3>(_e661, _e663, _e665)), _e652);
-                                    phi_1099_ = (_e670 <= _e635.member);
-                                    phi_1100_ = _e648;
+                                    phi_1122_ = (_e670 <= _e635.member);
+                                    phi_1123_ = _e648;
+                                    phi_1124_ = type_48(type_46(array<f32, 3>(_e654, _e656, _e658), array<f32, 3>(_e661, _e663, _e665)), _e652);
                                 }
-                                let _e674 = phi_1098_;
-                                let _e676 = phi_1099_;
-                                let _e678 = phi_1100_;
-                                if _e676 {
-                                    if ((_e674.member_1 & 2147483648u) != 0u) {
-                                        phi_1118_ = _e635;
-                                        phi_1121_ = type_7(0u, ((_e674.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e674 = phi_1122_;
+                                let _e676 = phi_1123_;
+                                let _e678 = phi_1124_;
+                                if _e674 {
+                                    if ((_e678.member_1 & 2147483648u) != 0u) {
+                                        phi_1142_ = _e635;
+                                        phi_1145_ = type_7(0u, ((_e678.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1054 = phi_1118_;
-                                            let _e1056 = phi_1121_;
+                                            let _e1054 = phi_1142_;
+                                            let _e1056 = phi_1145_;
                                             local_10 = _e1054;
                                             local_12 = _e1054;
                                             if (_e1056.member < _e1056.member_1) {
-                                                phi_1122_ = type_7((_e1056.member + 1u), _e1056.member_1);
-                                                phi_1144_ = type_7(1u, _e1056.member);
+                                                phi_1146_ = type_7((_e1056.member + 1u), _e1056.member_1);
+                                                phi_1168_ = type_7(1u, _e1056.member);
                                             } else {
-                                                phi_1122_ = _e1056;
-                                                phi_1144_ = type_7(0u, type_7().member_1);
+                                                phi_1146_ = _e1056;
+                                                phi_1168_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1069 = phi_1122_;
-                                            let _e1071 = phi_1144_;
+                                            let _e1069 = phi_1146_;
+                                            let _e1071 = phi_1168_;
                                             let _e1075 = (bitcast<i32>(_e1071.member) != 0i);
                                             if _e1075 {
-                                                let _e1076 = ((_e674.member_1 & 268435455u) + _e1071.member_1);
+                                                let _e1076 = ((_e678.member_1 & 268435455u) + _e1071.member_1);
                                                 let _e1077 = (_e1076 < _e86);
                                                 if _e1077 {
                                                     if _e1077 {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1081 = global_2.member[_e1076].member_1;
-                                                    phi_1165_ = _e1081;
+                                                    phi_1189_ = _e1081;
                                                 } else {
-                                                    phi_1165_ = 4294967295u;
+                                                    phi_1189_ = 4294967295u;
                                                 }
-                                                let _e1083 = phi_1165_;
+                                                let _e1083 = phi_1189_;
                                                 if (_e1076 >= _e86) {
-                                                    phi_1254_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1281_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1077 {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     if (_e606 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1090 = global_2.member[_e1076].member[_e606];
                                                     if (_e610 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1096 = global_2.member[_e1076].member[_e610];
                                                     if (_e614 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1102 = global_2.member[_e1076].member[_e614];
                                                     let _e1104 = (3u + _e606);
                                                     if (_e1104 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1110 = global_2.member[_e1076].member[_e1104];
                                                     let _e1111 = (3u + _e610);
                                                     if (_e1111 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1117 = global_2.member[_e1076].member[_e1111];
                                                     let _e1118 = (3u + _e614);
                                                     if (_e1118 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1124 = global_2.member[_e1076].member[_e1118];
                                                     let _e1126 = (6u + _e606);
                                                     if (_e1126 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1132 = global_2.member[_e1076].member[_e1126];
                                                     let _e1133 = (6u + _e610);
                                                     if (_e1133 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1139 = global_2.member[_e1076].member[_e1133];
                                                     let _e1140 = (6u + _e614);
                                                     if (_e1140 < 9u) {
                                                     } else {
-                                                        phi_3146_ = true;
+                                                        phi_3273_ = true;
                                                         break;
                                                     }
                                                     let _e1146 = global_2.member[_e1076].member[_e1140];
-                                                    phi_1254_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1090, _e1096, _e1102), array<f32, 3>(_e1110, _e1117, _e1124), array<f32, 3>(_e1132, _e1139, _e1146));
+                                                    phi_1281_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1090, _e1096, _e1102), array<f32, 3>(_e1110, _e1117, _e1124), array<f32, 3>(_e1132, _e1139, _e1146));
                                                 }
-                                                let _e1150 = phi_1254_;
+                                                let _e1150 = phi_1281_;
                                                 let _e1158 = (_e1150[0][2] - _e447);
                                                 let _e1161 = (((_e1150[0][0] - _e310) * _e486) - (_e1158 * _e350));
                                                 let _e1164 = (((_e1150[0][1] - _e379) * _e486) - (_e1158 * _e418));
@@ -801,34 +801,34 @@ fn function_() {
                                                     let _e1220 = select(0f, _e1218, (_e1218 > 0f));
                                                     let _e1222 = ((_e1212 + _e1216) + _e1220);
                                                     if (_e1222 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2079_ = type_25();
-                                                        phi_2080_ = true;
-                                                        phi_2081_ = false;
+                                                        phi_2165_ = type_25();
+                                                        phi_2166_ = true;
+                                                        phi_2167_ = false;
                                                     } else {
                                                         let _e1225 = select(_e1174, _e1161, (_e1161 < _e1174));
                                                         if (select(_e1187, _e1225, (_e1225 < _e1187)) > 0f) {
-                                                            phi_1371_ = true;
+                                                            phi_1433_ = true;
                                                         } else {
                                                             let _e1230 = select(_e1174, _e1161, (_e1161 > _e1174));
-                                                            phi_1371_ = (select(_e1187, _e1230, (_e1230 > _e1187)) < 0f);
+                                                            phi_1433_ = (select(_e1187, _e1230, (_e1230 > _e1187)) < 0f);
                                                         }
-                                                        let _e1235 = phi_1371_;
+                                                        let _e1235 = phi_1433_;
                                                         if _e1235 {
-                                                            phi_2076_ = type_25();
-                                                            phi_2077_ = true;
-                                                            phi_2078_ = false;
+                                                            phi_2162_ = type_25();
+                                                            phi_2163_ = true;
+                                                            phi_2164_ = false;
                                                         } else {
                                                             let _e1237 = select(_e1177, _e1164, (_e1164 < _e1177));
                                                             if (select(_e1190, _e1237, (_e1237 < _e1190)) > 0f) {
-                                                                phi_1400_ = true;
+                                                                phi_1462_ = true;
                                                             } else {
                                                                 let _e1242 = select(_e1177, _e1164, (_e1164 > _e1177));
-                                                                phi_1400_ = (select(_e1190, _e1242, (_e1242 > _e1190)) < 0f);
+                                                                phi_1462_ = (select(_e1190, _e1242, (_e1242 > _e1190)) < 0f);
                                                             }
-                                                            let _e1247 = phi_1400_;
+                                                            let _e1247 = phi_1462_;
                                                             if _e1247 {
-                                                                phi_2074_ = type_25();
-                                                                phi_2075_ = false;
+                                                                phi_2160_ = type_25();
+                                                                phi_2161_ = false;
                                                             } else {
                                                                 let _e1249 = select(_e1150[1][0], _e1150[0][0], (_e1150[0][0] < _e1150[1][0]));
                                                                 let _e1253 = select(_e1150[1][0], _e1150[0][0], (_e1150[0][0] > _e1150[1][0]));
@@ -855,12 +855,12 @@ fn function_() {
                                                                 let _e1304 = -(_e1285);
                                                                 let _e1310 = select(_e601, _e1295, (_e1295 > _e601));
                                                                 if (_e1310 > (_e1303 + (select(_e1304, _e1287, (_e1287 > _e1304)) * 0.0000019073523f))) {
-                                                                    phi_2069_ = type_25();
-                                                                    phi_2070_ = true;
+                                                                    phi_2155_ = type_25();
+                                                                    phi_2156_ = true;
                                                                 } else {
                                                                     let _e1312 = (_e1310 > _e1054.member);
                                                                     if _e1312 {
-                                                                        phi_2068_ = type_25();
+                                                                        phi_2154_ = type_25();
                                                                     } else {
                                                                         let _e1313 = vec3<f32>(_e1150[0][0], _e1150[0][1], _e1150[0][2]);
                                                                         let _e1314 = vec3<f32>(_e1150[1][0], _e1150[1][1], _e1150[1][2]);
@@ -895,49 +895,49 @@ fn function_() {
                                                                         let _e1368 = select(_e1353, _e1340, (_e1340 > _e1353));
                                                                         let _e1370 = select(_e1366, _e1368, (_e1368 > _e1366));
                                                                         if (_e1340 == _e1370) {
-                                                                            phi_1801_ = _e1177;
-                                                                            phi_1802_ = _e1174;
-                                                                            phi_1803_ = _e1164;
-                                                                            phi_1804_ = _e1161;
-                                                                            phi_1805_ = _e1313;
-                                                                            phi_1806_ = _e1327;
-                                                                            phi_1807_ = _e1323;
-                                                                            phi_1808_ = _e1319;
+                                                                            phi_1881_ = _e1177;
+                                                                            phi_1882_ = _e1174;
+                                                                            phi_1883_ = _e1164;
+                                                                            phi_1884_ = _e1161;
+                                                                            phi_1885_ = _e1313;
+                                                                            phi_1886_ = _e1327;
+                                                                            phi_1887_ = _e1323;
+                                                                            phi_1888_ = _e1319;
                                                                         } else {
                                                                             let _e1372 = (_e1353 == _e1370);
                                                                             let _e1377 = vec3(_e1372);
-                                                                            phi_1801_ = select(_e1164, _e1190, _e1372);
-                                                                            phi_1802_ = select(_e1161, _e1187, _e1372);
-                                                                            phi_1803_ = select(_e1190, _e1177, _e1372);
-                                                                            phi_1804_ = select(_e1187, _e1174, _e1372);
-                                                                            phi_1805_ = select(_e1315, _e1314, _e1377);
-                                                                            phi_1806_ = select(_e1323, _e1319, _e1377);
-                                                                            phi_1807_ = select(_e1319, _e1327, _e1377);
-                                                                            phi_1808_ = select(_e1327, _e1323, _e1377);
+                                                                            phi_1881_ = select(_e1164, _e1190, _e1372);
+                                                                            phi_1882_ = select(_e1161, _e1187, _e1372);
+                                                                            phi_1883_ = select(_e1190, _e1177, _e1372);
+                                                                            phi_1884_ = select(_e1187, _e1174, _e1372);
+                                                                            phi_1885_ = select(_e1315, _e1314, _e1377);
+                                                                            phi_1886_ = select(_e1323, _e1319, _e1377);
+                                                                            phi_1887_ = select(_e1319, _e1327, _e1377);
+                                                                            phi_1888_ = select(_e1327, _e1323, _e1377);
                                                                         }
-                                                                        let _e1383 = phi_1801_;
-                                                                        let _e1385 = phi_1802_;
-                                                                        let _e1387 = phi_1803_;
-                                                                        let _e1389 = phi_1804_;
-                                                                        let _e1391 = phi_1805_;
-                                                                        let _e1393 = phi_1806_;
-                                                                        let _e1395 = phi_1807_;
-                                                                        let _e1397 = phi_1808_;
+                                                                        let _e1383 = phi_1881_;
+                                                                        let _e1385 = phi_1882_;
+                                                                        let _e1387 = phi_1883_;
+                                                                        let _e1389 = phi_1884_;
+                                                                        let _e1391 = phi_1885_;
+                                                                        let _e1393 = phi_1886_;
+                                                                        let _e1395 = phi_1887_;
+                                                                        let _e1397 = phi_1888_;
                                                                         let _e1404 = ((_e1395.y * _e1393.z) - (_e1393.y * _e1395.z));
                                                                         let _e1409 = ((_e1395.z * _e1393.x) - (_e1393.z * _e1395.x));
                                                                         let _e1412 = ((_e1395.x * _e1393.y) - (_e1393.x * _e1395.y));
                                                                         if (_e1212 >= _e1216) {
-                                                                            phi_1839_ = select(true, false, (_e1212 >= _e1220));
+                                                                            phi_1925_ = select(true, false, (_e1212 >= _e1220));
                                                                         } else {
-                                                                            phi_1839_ = true;
+                                                                            phi_1925_ = true;
                                                                         }
-                                                                        let _e1417 = phi_1839_;
+                                                                        let _e1417 = phi_1925_;
                                                                         if _e1417 {
-                                                                            phi_1848_ = select(_e1315, _e1314, vec3((_e1216 >= _e1220)));
+                                                                            phi_1934_ = select(_e1315, _e1314, vec3((_e1216 >= _e1220)));
                                                                         } else {
-                                                                            phi_1848_ = _e1313;
+                                                                            phi_1934_ = _e1313;
                                                                         }
-                                                                        let _e1422 = phi_1848_;
+                                                                        let _e1422 = phi_1934_;
                                                                         let _e1433 = (((_e1404 * (_e1422.x - _e310)) + (_e1409 * (_e1422.y - _e379))) + (_e1412 * (_e1422.z - _e447)));
                                                                         let _e1438 = (((_e1404 * _e350) + (_e1409 * _e418)) + (_e1412 * _e486));
                                                                         let _e1439 = (_e1385 - _e1389);
@@ -969,191 +969,191 @@ fn function_() {
                                                                             let _e1536 = bitcast<f32>((bitcast<u32>(_e1393.z) & 2147483647u));
                                                                             let _e1540 = (bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u)) > ((0.0000038146973f * select(_e1522, _e1519, (_e1519 > _e1522))) * select(_e1536, _e1533, (_e1533 > _e1536))));
                                                                             if _e1540 {
-                                                                                phi_2013_ = (_e1433 / _e1438);
+                                                                                phi_2099_ = (_e1433 / _e1438);
                                                                             } else {
-                                                                                phi_2013_ = f32();
+                                                                                phi_2099_ = f32();
                                                                             }
-                                                                            let _e1543 = phi_2013_;
-                                                                            phi_2015_ = _e1543;
-                                                                            phi_2016_ = select(true, false, _e1540);
+                                                                            let _e1543 = phi_2099_;
+                                                                            phi_2101_ = _e1543;
+                                                                            phi_2102_ = select(true, false, _e1540);
                                                                         } else {
-                                                                            phi_2015_ = f32();
-                                                                            phi_2016_ = true;
+                                                                            phi_2101_ = f32();
+                                                                            phi_2102_ = true;
                                                                         }
-                                                                        let _e1546 = phi_2015_;
-                                                                        let _e1548 = phi_2016_;
+                                                                        let _e1546 = phi_2101_;
+                                                                        let _e1548 = phi_2102_;
                                                                         if _e1548 {
                                                                             let _e1556 = (((_e1404 * (_e1465 - (_e350 * _e1468))) + (_e1409 * (_e1466 - (_e418 * _e1468)))) / _e1438);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1556) & 2147483647u)) <= _e1370) {
-                                                                                phi_2036_ = (_e1468 + _e1556);
+                                                                                phi_2122_ = (_e1468 + _e1556);
                                                                             } else {
-                                                                                phi_2036_ = _e1468;
+                                                                                phi_2122_ = _e1468;
                                                                             }
-                                                                            let _e1563 = phi_2036_;
-                                                                            phi_2037_ = _e1563;
+                                                                            let _e1563 = phi_2122_;
+                                                                            phi_2123_ = _e1563;
                                                                         } else {
-                                                                            phi_2037_ = _e1546;
+                                                                            phi_2123_ = _e1546;
                                                                         }
-                                                                        let _e1565 = phi_2037_;
+                                                                        let _e1565 = phi_2123_;
                                                                         let _e1567 = select(_e1303, _e1565, (_e1565 < _e1303));
                                                                         let _e1569 = select(_e1295, _e1567, (_e1567 > _e1295));
                                                                         if (_e1569 >= _e601) {
                                                                             let _e1571 = (_e1569 <= _e1054.member);
                                                                             if _e1571 {
                                                                                 let _e1572 = (1f / _e1222);
-                                                                                phi_2060_ = type_25(_e1569, (_e1216 * _e1572), (_e1220 * _e1572), _e1083);
+                                                                                phi_2146_ = type_25(_e1569, (_e1216 * _e1572), (_e1220 * _e1572), _e1083);
                                                                             } else {
-                                                                                phi_2060_ = type_25();
+                                                                                phi_2146_ = type_25();
                                                                             }
-                                                                            let _e1577 = phi_2060_;
-                                                                            phi_2062_ = _e1577;
-                                                                            phi_2063_ = select(true, false, _e1571);
+                                                                            let _e1577 = phi_2146_;
+                                                                            phi_2148_ = _e1577;
+                                                                            phi_2149_ = select(true, false, _e1571);
                                                                         } else {
-                                                                            phi_2062_ = type_25();
-                                                                            phi_2063_ = true;
+                                                                            phi_2148_ = type_25();
+                                                                            phi_2149_ = true;
                                                                         }
-                                                                        let _e1580 = phi_2062_;
-                                                                        let _e1582 = phi_2063_;
+                                                                        let _e1580 = phi_2148_;
+                                                                        let _e1582 = phi_2149_;
                                                                         if _e1582 {
-                                                                            phi_2067_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2153_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2067_ = _e1580;
+                                                                            phi_2153_ = _e1580;
                                                                         }
-                                                                        let _e1584 = phi_2067_;
-                                                                        phi_2068_ = _e1584;
+                                                                        let _e1584 = phi_2153_;
+                                                                        phi_2154_ = _e1584;
                                                                     }
-                                                                    let _e1586 = phi_2068_;
-                                                                    phi_2069_ = _e1586;
-                                                                    phi_2070_ = _e1312;
+                                                                    let _e1586 = phi_2154_;
+                                                                    phi_2155_ = _e1586;
+                                                                    phi_2156_ = _e1312;
                                                                 }
-                                                                let _e1588 = phi_2069_;
-                                                                let _e1590 = phi_2070_;
-                                                                phi_2074_ = _e1588;
-                                                                phi_2075_ = _e1590;
+                                                                let _e1588 = phi_2155_;
+                                                                let _e1590 = phi_2156_;
+                                                                phi_2160_ = _e1588;
+                                                                phi_2161_ = _e1590;
                                                             }
-                                                            let _e1592 = phi_2074_;
-                                                            let _e1594 = phi_2075_;
-                                                            phi_2076_ = _e1592;
-                                                            phi_2077_ = _e1247;
-                                                            phi_2078_ = _e1594;
+                                                            let _e1592 = phi_2160_;
+                                                            let _e1594 = phi_2161_;
+                                                            phi_2162_ = _e1592;
+                                                            phi_2163_ = _e1247;
+                                                            phi_2164_ = _e1594;
                                                         }
-                                                        let _e1596 = phi_2076_;
-                                                        let _e1598 = phi_2077_;
-                                                        let _e1600 = phi_2078_;
-                                                        phi_2079_ = _e1596;
-                                                        phi_2080_ = _e1598;
-                                                        phi_2081_ = _e1600;
+                                                        let _e1596 = phi_2162_;
+                                                        let _e1598 = phi_2163_;
+                                                        let _e1600 = phi_2164_;
+                                                        phi_2165_ = _e1596;
+                                                        phi_2166_ = _e1598;
+                                                        phi_2167_ = _e1600;
                                                     }
-                                                    let _e1602 = phi_2079_;
-                                                    let _e1604 = phi_2080_;
-                                                    let _e1606 = phi_2081_;
-                                                    phi_2089_ = _e1602;
-                                                    phi_2090_ = select(_e1606, true, _e1604);
+                                                    let _e1602 = phi_2165_;
+                                                    let _e1604 = phi_2166_;
+                                                    let _e1606 = phi_2167_;
+                                                    phi_2175_ = _e1602;
+                                                    phi_2176_ = select(_e1606, true, _e1604);
                                                 } else {
-                                                    phi_2089_ = type_25();
-                                                    phi_2090_ = true;
+                                                    phi_2175_ = type_25();
+                                                    phi_2176_ = true;
                                                 }
-                                                let _e1609 = phi_2089_;
-                                                let _e1611 = phi_2090_;
+                                                let _e1609 = phi_2175_;
+                                                let _e1611 = phi_2176_;
                                                 if _e1611 {
-                                                    phi_2094_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2180_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2094_ = _e1609;
+                                                    phi_2180_ = _e1609;
                                                 }
-                                                let _e1613 = phi_2094_;
+                                                let _e1613 = phi_2180_;
                                                 if (_e1613.member_3 != 4294967295u) {
                                                     if (_e1083 != 4294967295u) {
-                                                        phi_2105_ = type_37(_e1054.member, true);
+                                                        phi_2191_ = type_37(_e1054.member, true);
                                                     } else {
-                                                        phi_2105_ = _e1054;
+                                                        phi_2191_ = _e1054;
                                                     }
-                                                    let _e1621 = phi_2105_;
-                                                    phi_2106_ = _e1621;
+                                                    let _e1621 = phi_2191_;
+                                                    phi_2192_ = _e1621;
                                                 } else {
-                                                    phi_2106_ = _e1054;
+                                                    phi_2192_ = _e1054;
                                                 }
-                                                let _e1623 = phi_2106_;
-                                                phi_1119_ = _e1623;
+                                                let _e1623 = phi_2192_;
+                                                phi_1143_ = _e1623;
                                             } else {
-                                                phi_1119_ = type_37();
+                                                phi_1143_ = type_37();
                                             }
-                                            let _e1625 = phi_1119_;
+                                            let _e1625 = phi_1143_;
                                             continue;
                                             continuing {
-                                                phi_1118_ = _e1625;
-                                                phi_1121_ = _e1069;
-                                                phi_3146_ = _e633;
+                                                phi_1142_ = _e1625;
+                                                phi_1145_ = _e1069;
+                                                phi_3273_ = _e633;
                                                 break if !(_e1075);
                                             }
                                         }
-                                        let _e1628 = phi_3146_;
-                                        phi_3303_ = _e1628;
+                                        let _e1628 = phi_3273_;
+                                        phi_3430_ = _e1628;
                                         if _e1628 {
                                             break;
                                         }
                                         let _e1630 = local_10;
-                                        phi_3307_ = _e1628;
+                                        phi_3434_ = _e1628;
                                         let _e1795 = local_12;
-                                        phi_3080_ = _e1795;
-                                        phi_3081_ = _e674;
-                                        phi_3082_ = false;
-                                        phi_3083_ = select(_e678, 0u, _e1630.member_1);
+                                        phi_3207_ = _e1795;
+                                        phi_3208_ = false;
+                                        phi_3209_ = select(_e676, 0u, _e1630.member_1);
+                                        phi_3210_ = _e678;
                                     } else {
-                                        let _e687 = (_e674.member_1 < _e84);
+                                        let _e687 = (_e678.member_1 < _e84);
                                         if _e687 {
                                             if _e687 {
                                             } else {
-                                                phi_3303_ = true;
+                                                phi_3430_ = true;
                                                 break;
                                             }
-                                            let _e689 = global_6.member[_e674.member_1];
-                                            phi_2126_ = _e689;
+                                            let _e689 = global_6.member[_e678.member_1];
+                                            phi_2220_ = _e689;
                                         } else {
-                                            phi_2126_ = type_41(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2220_ = type_41(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e691 = phi_2126_;
+                                        let _e691 = phi_2220_;
                                         let _e706 = ((10u * _e246) & 31u);
                                         let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e717 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[0] - _e674.member.member[0]) * 0.0009775171f)) ^ _e118));
-                                        let _e722 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e118)));
-                                        let _e726 = select(select(_e674.member.member_1[0], _e722, (_e722 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e709 == 1023u));
+                                        let _e717 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e118));
+                                        let _e722 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e118)));
+                                        let _e726 = select(select(_e678.member.member_1[0], _e722, (_e722 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e709 == 1023u));
                                         let _e728 = ((10u * _e245) & 31u);
                                         let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e739 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[1] - _e674.member.member[1]) * 0.0009775171f)) ^ _e118));
-                                        let _e744 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e118)));
-                                        let _e748 = select(select(_e674.member.member_1[1], _e744, (_e744 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e731 == 1023u));
+                                        let _e739 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e118));
+                                        let _e744 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e118)));
+                                        let _e748 = select(select(_e678.member.member_1[1], _e744, (_e744 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e731 == 1023u));
                                         let _e750 = ((10u * _e247) & 31u);
                                         let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e761 = bitcast<f32>((bitcast<u32>(((_e674.member.member_1[2] - _e674.member.member[2]) * 0.0009775171f)) ^ _e118));
-                                        let _e766 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e118)));
-                                        let _e770 = select(select(_e674.member.member_1[2], _e766, (_e766 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e753 == 1023u));
+                                        let _e761 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e118));
+                                        let _e766 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e118)));
+                                        let _e770 = select(select(_e678.member.member_1[2], _e766, (_e766 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e753 == 1023u));
                                         let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e781 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e118)));
-                                        let _e785 = select(select(_e674.member.member_1[0], _e781, (_e781 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e773 == 1023u));
+                                        let _e781 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e118)));
+                                        let _e785 = select(select(_e678.member.member_1[0], _e781, (_e781 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e773 == 1023u));
                                         let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e796 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e118)));
-                                        let _e800 = select(select(_e674.member.member_1[1], _e796, (_e796 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e788 == 1023u));
+                                        let _e796 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e118)));
+                                        let _e800 = select(select(_e678.member.member_1[1], _e796, (_e796 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e788 == 1023u));
                                         let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e811 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e118)));
-                                        let _e815 = select(select(_e674.member.member_1[2], _e811, (_e811 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e803 == 1023u));
+                                        let _e811 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e118)));
+                                        let _e815 = select(select(_e678.member.member_1[2], _e811, (_e811 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e803 == 1023u));
                                         let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e829 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e118)));
-                                        let _e833 = select(select(_e674.member.member_1[0], _e829, (_e829 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e821 == 1023u));
+                                        let _e829 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e118)));
+                                        let _e833 = select(select(_e678.member.member_1[0], _e829, (_e829 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e821 == 1023u));
                                         let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e844 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e118)));
-                                        let _e848 = select(select(_e674.member.member_1[1], _e844, (_e844 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e836 == 1023u));
+                                        let _e844 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e118)));
+                                        let _e848 = select(select(_e678.member.member_1[1], _e844, (_e844 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e836 == 1023u));
                                         let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e859 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e118)));
-                                        let _e863 = select(select(_e674.member.member_1[2], _e859, (_e859 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e851 == 1023u));
+                                        let _e859 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e118)));
+                                        let _e863 = select(select(_e678.member.member_1[2], _e859, (_e859 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e851 == 1023u));
                                         let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e874 = (_e674.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e118)));
-                                        let _e878 = select(select(_e674.member.member_1[0], _e874, (_e874 < _e674.member.member_1[0])), _e674.member.member_1[0], (_e866 == 1023u));
+                                        let _e874 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e118)));
+                                        let _e878 = select(select(_e678.member.member_1[0], _e874, (_e874 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e866 == 1023u));
                                         let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e889 = (_e674.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e118)));
-                                        let _e893 = select(select(_e674.member.member_1[1], _e889, (_e889 < _e674.member.member_1[1])), _e674.member.member_1[1], (_e881 == 1023u));
+                                        let _e889 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e118)));
+                                        let _e893 = select(select(_e678.member.member_1[1], _e889, (_e889 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e881 == 1023u));
                                         let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e904 = (_e674.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e118)));
-                                        let _e908 = select(select(_e674.member.member_1[2], _e904, (_e904 < _e674.member.member_1[2])), _e674.member.member_1[2], (_e896 == 1023u));
+                                        let _e904 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e118)));
+                                        let _e908 = select(select(_e678.member.member_1[2], _e904, (_e904 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e896 == 1023u));
                                         let _e913 = type_48(type_46(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
                                         let _e918 = type_48(type_46(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
                                         let _e924 = ((_e726 - _e348) * _e353);
@@ -1198,188 +1198,188 @@ fn function_() {
                                         if _e1002 {
                                             if _e1003 {
                                                 if _e1004 {
-                                                    phi_2982_ = _e918;
+                                                    phi_3106_ = _e918;
                                                 } else {
-                                                    phi_2982_ = _e913;
+                                                    phi_3106_ = _e913;
                                                 }
-                                                let _e1006 = phi_2982_;
-                                                let _e1014 = (_e678 % 128u);
+                                                let _e1006 = phi_3106_;
+                                                let _e1014 = (_e676 % 128u);
                                                 let _e1015 = (_e1014 < 128u);
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3303_ = true;
+                                                    phi_3430_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1014] = _e1006.member_1;
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3303_ = true;
+                                                    phi_3430_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1014] = _e1006.member.member[0];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3303_ = true;
+                                                    phi_3430_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1014] = _e1006.member.member[1];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3303_ = true;
+                                                    phi_3430_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1014] = _e1006.member.member[2];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3303_ = true;
+                                                    phi_3430_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1014] = _e1006.member.member_1[0];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3303_ = true;
+                                                    phi_3430_ = true;
                                                     break;
                                                 }
                                                 local_1[_e1014] = _e1006.member.member_1[1];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3303_ = true;
+                                                    phi_3430_ = true;
                                                     break;
                                                 }
                                                 local[_e1014] = _e1006.member.member_1[2];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3303_ = true;
+                                                    phi_3430_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1014] = select(_e997, _e995, (_e995 > _e997));
+                                                local_7[_e1014] = select(_e997, _e995, !(_e1004));
                                                 if _e1004 {
-                                                    phi_3059_ = _e913;
+                                                    phi_3183_ = _e913;
                                                 } else {
-                                                    phi_3059_ = _e918;
+                                                    phi_3183_ = _e918;
                                                 }
-                                                let _e1032 = phi_3059_;
-                                                phi_3060_ = _e1032;
-                                                phi_3061_ = (_e678 + 1u);
+                                                let _e1032 = phi_3183_;
+                                                phi_3184_ = (_e676 + 1u);
+                                                phi_3185_ = _e1032;
                                             } else {
-                                                phi_3060_ = type_48();
-                                                phi_3061_ = u32();
+                                                phi_3184_ = u32();
+                                                phi_3185_ = type_48();
                                             }
-                                            let _e1034 = phi_3060_;
-                                            let _e1036 = phi_3061_;
-                                            phi_3063_ = _e1034;
-                                            phi_3064_ = _e1036;
-                                            phi_3065_ = select(true, false, _e1003);
+                                            let _e1034 = phi_3184_;
+                                            let _e1036 = phi_3185_;
+                                            phi_3187_ = _e1034;
+                                            phi_3188_ = _e1036;
+                                            phi_3189_ = select(true, false, _e1003);
                                         } else {
-                                            phi_3063_ = type_48();
-                                            phi_3064_ = u32();
-                                            phi_3065_ = true;
+                                            phi_3187_ = u32();
+                                            phi_3188_ = type_48();
+                                            phi_3189_ = true;
                                         }
-                                        let _e1039 = phi_3063_;
-                                        let _e1041 = phi_3064_;
-                                        let _e1043 = phi_3065_;
+                                        let _e1039 = phi_3187_;
+                                        let _e1041 = phi_3188_;
+                                        let _e1043 = phi_3189_;
                                         if _e1043 {
                                             if _e1002 {
-                                                phi_3072_ = _e913;
+                                                phi_3196_ = _e913;
                                             } else {
-                                                phi_3072_ = _e918;
+                                                phi_3196_ = _e918;
                                             }
-                                            let _e1045 = phi_3072_;
-                                            phi_3077_ = _e1045;
-                                            phi_3078_ = select(_e1003, true, _e1002);
+                                            let _e1045 = phi_3196_;
+                                            phi_3201_ = select(_e1003, true, _e1002);
+                                            phi_3203_ = _e1045;
                                         } else {
-                                            phi_3077_ = _e1039;
-                                            phi_3078_ = _e676;
+                                            phi_3201_ = _e674;
+                                            phi_3203_ = _e1041;
                                         }
-                                        let _e1048 = phi_3077_;
-                                        let _e1050 = phi_3078_;
-                                        phi_3307_ = _e633;
-                                        phi_3080_ = _e635;
-                                        phi_3081_ = _e1048;
-                                        phi_3082_ = _e1050;
-                                        phi_3083_ = select(_e1041, _e678, _e1043);
+                                        let _e1048 = phi_3201_;
+                                        let _e1050 = phi_3203_;
+                                        phi_3434_ = _e633;
+                                        phi_3207_ = _e635;
+                                        phi_3208_ = _e1048;
+                                        phi_3209_ = select(_e1039, _e676, _e1043);
+                                        phi_3210_ = _e1050;
                                     }
-                                    let _e1634 = phi_3307_;
-                                    let _e1636 = phi_3080_;
-                                    let _e1638 = phi_3081_;
-                                    let _e1640 = phi_3082_;
-                                    let _e1642 = phi_3083_;
-                                    phi_3306_ = _e1634;
-                                    phi_3084_ = _e1636;
-                                    phi_3085_ = _e1638;
-                                    phi_3086_ = (_e639 - 1u);
-                                    phi_3087_ = _e1640;
-                                    phi_3088_ = _e1642;
+                                    let _e1634 = phi_3434_;
+                                    let _e1636 = phi_3207_;
+                                    let _e1638 = phi_3208_;
+                                    let _e1640 = phi_3209_;
+                                    let _e1642 = phi_3210_;
+                                    phi_3433_ = _e1634;
+                                    phi_3211_ = _e1636;
+                                    phi_3212_ = _e1638;
+                                    phi_3213_ = (_e639 - 1u);
+                                    phi_3214_ = _e1640;
+                                    phi_3215_ = _e1642;
                                 } else {
-                                    phi_3306_ = _e633;
-                                    phi_3084_ = _e635;
-                                    phi_3085_ = _e674;
-                                    phi_3086_ = _e639;
-                                    phi_3087_ = _e676;
-                                    phi_3088_ = _e678;
+                                    phi_3433_ = _e633;
+                                    phi_3211_ = _e635;
+                                    phi_3212_ = _e674;
+                                    phi_3213_ = _e639;
+                                    phi_3214_ = _e676;
+                                    phi_3215_ = _e678;
                                 }
-                                let _e1644 = phi_3306_;
-                                let _e1646 = phi_3084_;
-                                let _e1648 = phi_3085_;
-                                let _e1650 = phi_3086_;
-                                let _e1652 = phi_3087_;
-                                let _e1654 = phi_3088_;
-                                phi_3305_ = _e1644;
-                                phi_3089_ = _e1646;
-                                phi_3090_ = _e1648;
-                                phi_3091_ = _e1650;
-                                phi_3092_ = _e1652;
-                                phi_3093_ = _e1654;
+                                let _e1644 = phi_3433_;
+                                let _e1646 = phi_3211_;
+                                let _e1648 = phi_3212_;
+                                let _e1650 = phi_3213_;
+                                let _e1652 = phi_3214_;
+                                let _e1654 = phi_3215_;
+                                phi_3432_ = _e1644;
+                                phi_3216_ = _e1646;
+                                phi_3217_ = _e1648;
+                                phi_3218_ = _e1650;
+                                phi_3219_ = _e1652;
+                                phi_3220_ = _e1654;
                             } else {
-                                phi_3305_ = _e633;
-                                phi_3089_ = type_37();
-                                phi_3090_ = type_48();
-                                phi_3091_ = u32();
-                                phi_3092_ = bool();
-                                phi_3093_ = u32();
+                                phi_3432_ = _e633;
+                                phi_3216_ = type_37();
+                                phi_3217_ = bool();
+                                phi_3218_ = u32();
+                                phi_3219_ = u32();
+                                phi_3220_ = type_48();
                             }
-                            let _e1656 = phi_3305_;
-                            let _e1658 = phi_3089_;
-                            let _e1660 = phi_3090_;
-                            let _e1662 = phi_3091_;
-                            let _e1664 = phi_3092_;
-                            let _e1666 = phi_3093_;
-                            phi_3304_ = _e1656;
-                            phi_993_ = _e1658;
-                            phi_996_ = _e1660;
-                            phi_998_ = _e1662;
-                            phi_1000_ = _e1664;
-                            phi_1002_ = _e1666;
-                            phi_3094_ = _e647;
+                            let _e1656 = phi_3432_;
+                            let _e1658 = phi_3216_;
+                            let _e1660 = phi_3217_;
+                            let _e1662 = phi_3218_;
+                            let _e1664 = phi_3219_;
+                            let _e1666 = phi_3220_;
+                            phi_3431_ = _e1656;
+                            phi_1017_ = _e1658;
+                            phi_1020_ = _e1660;
+                            phi_1022_ = _e1662;
+                            phi_1024_ = _e1664;
+                            phi_1026_ = _e1666;
+                            phi_3221_ = _e647;
                         } else {
-                            phi_3304_ = _e633;
-                            phi_993_ = type_37();
-                            phi_996_ = type_48();
-                            phi_998_ = u32();
-                            phi_1000_ = bool();
-                            phi_1002_ = u32();
-                            phi_3094_ = false;
+                            phi_3431_ = _e633;
+                            phi_1017_ = type_37();
+                            phi_1020_ = bool();
+                            phi_1022_ = u32();
+                            phi_1024_ = u32();
+                            phi_1026_ = type_48();
+                            phi_3221_ = false;
                         }
-                        let _e1668 = phi_3304_;
-                        let _e1670 = phi_993_;
-                        let _e1672 = phi_996_;
-                        let _e1674 = phi_998_;
-                        let _e1676 = phi_1000_;
-                        let _e1678 = phi_1002_;
-                        let _e1680 = phi_3094_;
+                        let _e1668 = phi_3431_;
+                        let _e1670 = phi_1017_;
+                        let _e1672 = phi_1020_;
+                        let _e1674 = phi_1022_;
+                        let _e1676 = phi_1024_;
+                        let _e1678 = phi_1026_;
+                        let _e1680 = phi_3221_;
                         continue;
                         continuing {
-                            phi_3152_ = _e1668;
-                            phi_992_ = _e1670;
-                            phi_995_ = _e1672;
-                            phi_997_ = _e1674;
-                            phi_999_ = _e1676;
-                            phi_1001_ = _e1678;
-                            phi_3303_ = _e1668;
+                            phi_3279_ = _e1668;
+                            phi_1016_ = _e1670;
+                            phi_1019_ = _e1672;
+                            phi_1021_ = _e1674;
+                            phi_1023_ = _e1676;
+                            phi_1025_ = _e1678;
+                            phi_3430_ = _e1668;
                             break if !(_e1680);
                         }
                     }
-                    let _e1683 = phi_3303_;
+                    let _e1683 = phi_3430_;
                     if _e1683 {
                         break;
                     }

@@ -93,133 +93,133 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_334_: i32;
-    var phi_335_: i32;
-    var phi_345_: bool;
-    var phi_355_: u32;
-    var phi_356_: u32;
-    var phi_358_: bool;
-    var phi_363_: u32;
-    var phi_375_: i32;
-    var phi_395_: i32;
-    var phi_413_: f32;
-    var phi_419_: f32;
-    var phi_459_: f32;
-    var phi_465_: f32;
-    var phi_517_: f32;
-    var phi_528_: f32;
-    var phi_537_: f32;
-    var phi_543_: f32;
-    var phi_583_: f32;
-    var phi_589_: f32;
-    var phi_641_: f32;
+    var phi_343_: i32;
+    var phi_344_: i32;
+    var phi_354_: bool;
+    var phi_364_: u32;
+    var phi_365_: u32;
+    var phi_367_: bool;
+    var phi_372_: u32;
+    var phi_385_: i32;
+    var phi_405_: i32;
+    var phi_423_: f32;
+    var phi_429_: f32;
+    var phi_469_: f32;
+    var phi_475_: f32;
+    var phi_527_: f32;
+    var phi_539_: f32;
+    var phi_548_: f32;
+    var phi_554_: f32;
+    var phi_594_: f32;
+    var phi_600_: f32;
     var phi_652_: f32;
-    var phi_661_: f32;
-    var phi_667_: f32;
-    var phi_707_: f32;
-    var phi_713_: f32;
-    var phi_765_: f32;
-    var phi_776_: f32;
-    var phi_831_: i32;
-    var phi_853_: u32;
-    var phi_854_: u32;
-    var phi_891_: i32;
-    var phi_913_: u32;
-    var phi_914_: u32;
-    var phi_922_: f32;
-    var phi_923_: f32;
-    var phi_3341_: bool;
-    var phi_996_: type_32;
-    var phi_999_: type_49;
-    var phi_1001_: u32;
-    var phi_1003_: bool;
-    var phi_1005_: u32;
-    var phi_1016_: bool;
-    var phi_1102_: type_49;
-    var phi_1103_: bool;
-    var phi_1104_: u32;
-    var phi_2315_: type_36;
-    var phi_3171_: type_49;
-    var phi_3248_: type_49;
-    var phi_3249_: type_49;
-    var phi_3250_: u32;
-    var phi_3252_: type_49;
-    var phi_3253_: u32;
-    var phi_3254_: bool;
-    var phi_3261_: type_49;
-    var phi_3266_: type_49;
-    var phi_3267_: bool;
-    var phi_1123_: type_32;
-    var phi_1126_: type_7;
-    var phi_1127_: type_7;
+    var phi_664_: f32;
+    var phi_673_: f32;
+    var phi_679_: f32;
+    var phi_719_: f32;
+    var phi_725_: f32;
+    var phi_777_: f32;
+    var phi_789_: f32;
+    var phi_844_: i32;
+    var phi_866_: u32;
+    var phi_867_: u32;
+    var phi_904_: i32;
+    var phi_926_: u32;
+    var phi_927_: u32;
+    var phi_935_: f32;
+    var phi_936_: f32;
+    var phi_3473_: bool;
+    var phi_1019_: type_32;
+    var phi_1022_: bool;
+    var phi_1024_: u32;
+    var phi_1026_: u32;
+    var phi_1028_: type_49;
+    var phi_1039_: bool;
+    var phi_1125_: bool;
+    var phi_1126_: u32;
+    var phi_1127_: type_49;
+    var phi_2414_: type_36;
+    var phi_3300_: type_49;
+    var phi_3377_: type_49;
+    var phi_3378_: u32;
+    var phi_3379_: type_49;
+    var phi_3381_: u32;
+    var phi_3382_: type_49;
+    var phi_3383_: bool;
+    var phi_3390_: type_49;
+    var phi_3395_: bool;
+    var phi_3397_: type_49;
+    var phi_1146_: type_32;
     var phi_1149_: type_7;
-    var phi_1174_: u32;
-    var phi_1190_: type_43;
-    var phi_1584_: bool;
-    var phi_1613_: bool;
-    var phi_1990_: f32;
-    var phi_1991_: f32;
-    var phi_1992_: f32;
-    var phi_1993_: f32;
-    var phi_1994_: vec3<f32>;
-    var phi_1995_: vec3<f32>;
-    var phi_1996_: vec3<f32>;
-    var phi_1997_: vec3<f32>;
-    var phi_2028_: bool;
-    var phi_2037_: vec3<f32>;
-    var phi_2202_: f32;
-    var phi_2204_: f32;
-    var phi_2205_: bool;
-    var phi_2225_: f32;
-    var phi_2226_: f32;
-    var phi_2249_: type_21;
-    var phi_2251_: type_21;
-    var phi_2252_: bool;
-    var phi_2256_: type_21;
-    var phi_2257_: type_21;
-    var phi_2258_: type_21;
-    var phi_2259_: bool;
-    var phi_2263_: type_21;
-    var phi_2264_: bool;
-    var phi_2265_: type_21;
-    var phi_2266_: bool;
-    var phi_2267_: bool;
-    var phi_2268_: type_21;
-    var phi_2269_: bool;
-    var phi_2270_: bool;
-    var phi_2278_: type_21;
-    var phi_2279_: bool;
-    var phi_2283_: type_21;
-    var phi_2294_: type_32;
-    var phi_2295_: type_32;
-    var phi_1124_: type_32;
-    var phi_3335_: bool;
+    var phi_1150_: type_7;
+    var phi_1172_: type_7;
+    var phi_1197_: u32;
+    var phi_1213_: type_43;
+    var phi_1651_: bool;
+    var phi_1680_: bool;
+    var phi_2075_: f32;
+    var phi_2076_: f32;
+    var phi_2077_: f32;
+    var phi_2078_: f32;
+    var phi_2079_: vec3<f32>;
+    var phi_2080_: vec3<f32>;
+    var phi_2081_: vec3<f32>;
+    var phi_2082_: vec3<f32>;
+    var phi_2119_: bool;
+    var phi_2128_: vec3<f32>;
+    var phi_2293_: f32;
+    var phi_2295_: f32;
+    var phi_2296_: bool;
+    var phi_2316_: f32;
+    var phi_2317_: f32;
+    var phi_2340_: type_21;
+    var phi_2342_: type_21;
+    var phi_2343_: bool;
+    var phi_2347_: type_21;
+    var phi_2348_: type_21;
+    var phi_2349_: type_21;
+    var phi_2350_: bool;
+    var phi_2354_: type_21;
+    var phi_2355_: bool;
+    var phi_2356_: type_21;
+    var phi_2357_: bool;
+    var phi_2358_: bool;
+    var phi_2359_: type_21;
+    var phi_2360_: bool;
+    var phi_2361_: bool;
+    var phi_2369_: type_21;
+    var phi_2370_: bool;
+    var phi_2374_: type_21;
+    var phi_2385_: type_32;
+    var phi_2386_: type_32;
+    var phi_1147_: type_32;
+    var phi_3467_: bool;
     var local_10: type_32;
-    var phi_3514_: bool;
-    var phi_3269_: type_32;
-    var phi_3270_: type_49;
-    var phi_3271_: bool;
-    var phi_3272_: u32;
-    var phi_3513_: bool;
-    var phi_3273_: type_32;
-    var phi_3274_: type_49;
-    var phi_3275_: u32;
-    var phi_3276_: bool;
-    var phi_3277_: u32;
-    var phi_3512_: bool;
-    var phi_3278_: type_32;
-    var phi_3279_: type_49;
-    var phi_3280_: u32;
-    var phi_3281_: bool;
-    var phi_3282_: u32;
-    var phi_3511_: bool;
-    var phi_997_: type_32;
-    var phi_1000_: type_49;
-    var phi_1002_: u32;
-    var phi_1004_: bool;
-    var phi_1006_: u32;
-    var phi_3283_: bool;
-    var phi_3510_: bool;
+    var phi_3646_: bool;
+    var phi_3401_: type_32;
+    var phi_3402_: bool;
+    var phi_3403_: u32;
+    var phi_3404_: type_49;
+    var phi_3645_: bool;
+    var phi_3405_: type_32;
+    var phi_3406_: bool;
+    var phi_3407_: u32;
+    var phi_3408_: u32;
+    var phi_3409_: type_49;
+    var phi_3644_: bool;
+    var phi_3410_: type_32;
+    var phi_3411_: bool;
+    var phi_3412_: u32;
+    var phi_3413_: u32;
+    var phi_3414_: type_49;
+    var phi_3643_: bool;
+    var phi_1020_: type_32;
+    var phi_1023_: bool;
+    var phi_1025_: u32;
+    var phi_1027_: u32;
+    var phi_1029_: type_49;
+    var phi_3415_: bool;
+    var phi_3642_: bool;
     var local_11: type_32;
     var local_12: type_32;
 
@@ -272,211 +272,211 @@ fn function_() {
                     if _e207 {
                         let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
                         if (_e210 >= 8388608u) {
-                            phi_334_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
+                            phi_343_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_334_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
+                            phi_343_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
                         }
-                        let _e224 = phi_334_;
-                        phi_335_ = _e224;
+                        let _e224 = phi_343_;
+                        phi_344_ = _e224;
                     } else {
-                        phi_335_ = 0i;
+                        phi_344_ = 0i;
                     }
-                    let _e226 = phi_335_;
+                    let _e226 = phi_344_;
                     let _e227 = (_e143 == _e182);
                     if _e227 {
-                        phi_345_ = true;
+                        phi_354_ = true;
                     } else {
-                        phi_345_ = (_e150 == _e182);
+                        phi_354_ = (_e150 == _e182);
                     }
-                    let _e230 = phi_345_;
+                    let _e230 = phi_354_;
                     let _e231 = select(1u, 0u, _e227);
                     if _e230 {
                         let _e232 = (_e231 + 1u);
-                        phi_355_ = _e232;
-                        phi_356_ = _e232;
-                        phi_358_ = select(true, false, (_e232 == 2u));
+                        phi_364_ = _e232;
+                        phi_365_ = _e232;
+                        phi_367_ = select(true, false, (_e232 == 2u));
                     } else {
-                        phi_355_ = u32();
-                        phi_356_ = 0u;
-                        phi_358_ = true;
+                        phi_364_ = u32();
+                        phi_365_ = 0u;
+                        phi_367_ = true;
                     }
-                    let _e236 = phi_355_;
-                    let _e238 = phi_356_;
-                    let _e240 = phi_358_;
+                    let _e236 = phi_364_;
+                    let _e238 = phi_365_;
+                    let _e240 = phi_367_;
                     if _e240 {
-                        phi_363_ = (_e238 + 1u);
+                        phi_372_ = (_e238 + 1u);
                     } else {
-                        phi_363_ = 0u;
+                        phi_372_ = 0u;
                     }
-                    let _e244 = phi_363_;
+                    let _e244 = phi_372_;
                     let _e245 = select(_e236, _e238, _e240);
                     let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
                     if (_e121 < -126i) {
-                        phi_375_ = -126i;
+                        phi_385_ = -126i;
                     } else {
-                        phi_375_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_385_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e251 = phi_375_;
+                    let _e251 = phi_385_;
                     let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
                     let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
                     let _e263 = -(_e226);
                     if (_e263 < -126i) {
-                        phi_395_ = -126i;
+                        phi_405_ = -126i;
                     } else {
-                        phi_395_ = select(_e263, 127i, (_e263 > 127i));
+                        phi_405_ = select(_e263, 127i, (_e263 > 127i));
                     }
-                    let _e268 = phi_395_;
+                    let _e268 = phi_405_;
                     let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
                     let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
                     let _e283 = global_3.member[_e131].member;
                     let _e284 = (_e245 == 0u);
                     if _e284 {
-                        phi_413_ = _e283[0];
+                        phi_423_ = _e283[0];
                     } else {
-                        phi_413_ = _e283[1];
+                        phi_423_ = _e283[1];
                     }
-                    let _e288 = phi_413_;
+                    let _e288 = phi_423_;
                     let _e289 = (_e245 == 2u);
                     if _e289 {
-                        phi_419_ = _e283[2];
+                        phi_429_ = _e283[2];
                     } else {
-                        phi_419_ = _e288;
+                        phi_429_ = _e288;
                     }
-                    let _e292 = phi_419_;
+                    let _e292 = phi_429_;
                     let _e293 = bitcast<u32>(_e292);
                     let _e295 = ((_e293 & 2139095040u) != 0u);
                     let _e309 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e293 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e293 & 2147483648u))), _e292, _e295) * _e256) * select(0.00000011920929f, 1f, _e295)) * _e262);
                     let _e310 = global_3.member[_e131].member_2;
                     if _e284 {
-                        phi_459_ = _e310[0];
+                        phi_469_ = _e310[0];
                     } else {
-                        phi_459_ = _e310[1];
+                        phi_469_ = _e310[1];
                     }
-                    let _e314 = phi_459_;
+                    let _e314 = phi_469_;
                     if _e289 {
-                        phi_465_ = _e310[2];
+                        phi_475_ = _e310[2];
                     } else {
-                        phi_465_ = _e314;
+                        phi_475_ = _e314;
                     }
-                    let _e317 = phi_465_;
+                    let _e317 = phi_475_;
                     let _e318 = bitcast<u32>(_e317);
                     let _e320 = ((_e318 & 2139095040u) != 0u);
                     let _e334 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e317, _e320) * _e273) * select(0.00000011920929f, 1f, _e320)) * _e279);
                     let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e338 {
                         let _e342 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_517_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
+                        phi_527_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
                     } else {
-                        phi_517_ = 0f;
+                        phi_527_ = 0f;
                     }
-                    let _e346 = phi_517_;
+                    let _e346 = phi_527_;
                     let _e347 = (_e309 + _e346);
                     let _e348 = (_e309 - _e346);
                     let _e349 = select(_e334, 0f, _e338);
                     if _e338 {
-                        phi_528_ = 38685626000000000000000000f;
+                        phi_539_ = 38685626000000000000000000f;
                     } else {
-                        phi_528_ = (1f / _e334);
+                        phi_539_ = (1f / _e334);
                     }
-                    let _e352 = phi_528_;
+                    let _e352 = phi_539_;
                     let _e353 = (_e244 == 0u);
                     if _e353 {
-                        phi_537_ = _e283[0];
+                        phi_548_ = _e283[0];
                     } else {
-                        phi_537_ = _e283[1];
+                        phi_548_ = _e283[1];
                     }
-                    let _e357 = phi_537_;
+                    let _e357 = phi_548_;
                     let _e358 = (_e244 == 2u);
                     if _e358 {
-                        phi_543_ = _e283[2];
+                        phi_554_ = _e283[2];
                     } else {
-                        phi_543_ = _e357;
+                        phi_554_ = _e357;
                     }
-                    let _e361 = phi_543_;
+                    let _e361 = phi_554_;
                     let _e362 = bitcast<u32>(_e361);
                     let _e364 = ((_e362 & 2139095040u) != 0u);
                     let _e378 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e362 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e362 & 2147483648u))), _e361, _e364) * _e256) * select(0.00000011920929f, 1f, _e364)) * _e262);
                     if _e353 {
-                        phi_583_ = _e310[0];
+                        phi_594_ = _e310[0];
                     } else {
-                        phi_583_ = _e310[1];
+                        phi_594_ = _e310[1];
                     }
-                    let _e382 = phi_583_;
+                    let _e382 = phi_594_;
                     if _e358 {
-                        phi_589_ = _e310[2];
+                        phi_600_ = _e310[2];
                     } else {
-                        phi_589_ = _e382;
+                        phi_600_ = _e382;
                     }
-                    let _e385 = phi_589_;
+                    let _e385 = phi_600_;
                     let _e386 = bitcast<u32>(_e385);
                     let _e388 = ((_e386 & 2139095040u) != 0u);
                     let _e402 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e385, _e388) * _e273) * select(0.00000011920929f, 1f, _e388)) * _e279);
                     let _e406 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e406 {
                         let _e410 = (bitcast<f32>((bitcast<u32>(_e378) & 2147483647u)) * 0.00000011920929f);
-                        phi_641_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
+                        phi_652_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
                     } else {
-                        phi_641_ = 0f;
+                        phi_652_ = 0f;
                     }
-                    let _e414 = phi_641_;
+                    let _e414 = phi_652_;
                     let _e415 = (_e378 + _e414);
                     let _e416 = (_e378 - _e414);
                     let _e417 = select(_e402, 0f, _e406);
                     if _e406 {
-                        phi_652_ = 38685626000000000000000000f;
+                        phi_664_ = 38685626000000000000000000f;
                     } else {
-                        phi_652_ = (1f / _e402);
+                        phi_664_ = (1f / _e402);
                     }
-                    let _e420 = phi_652_;
+                    let _e420 = phi_664_;
                     let _e421 = (_e246 == 0u);
                     if _e421 {
-                        phi_661_ = _e283[0];
+                        phi_673_ = _e283[0];
                     } else {
-                        phi_661_ = _e283[1];
+                        phi_673_ = _e283[1];
                     }
-                    let _e425 = phi_661_;
+                    let _e425 = phi_673_;
                     let _e426 = (_e246 == 2u);
                     if _e426 {
-                        phi_667_ = _e283[2];
+                        phi_679_ = _e283[2];
                     } else {
-                        phi_667_ = _e425;
+                        phi_679_ = _e425;
                     }
-                    let _e429 = phi_667_;
+                    let _e429 = phi_679_;
                     let _e430 = bitcast<u32>(_e429);
                     let _e432 = ((_e430 & 2139095040u) != 0u);
                     let _e446 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e430 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e430 & 2147483648u))), _e429, _e432) * _e256) * select(0.00000011920929f, 1f, _e432)) * _e262);
                     if _e421 {
-                        phi_707_ = _e310[0];
+                        phi_719_ = _e310[0];
                     } else {
-                        phi_707_ = _e310[1];
+                        phi_719_ = _e310[1];
                     }
-                    let _e450 = phi_707_;
+                    let _e450 = phi_719_;
                     if _e426 {
-                        phi_713_ = _e310[2];
+                        phi_725_ = _e310[2];
                     } else {
-                        phi_713_ = _e450;
+                        phi_725_ = _e450;
                     }
-                    let _e453 = phi_713_;
+                    let _e453 = phi_725_;
                     let _e454 = bitcast<u32>(_e453);
                     let _e456 = ((_e454 & 2139095040u) != 0u);
                     let _e470 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e454 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e454 & 2147483648u))), _e453, _e456) * _e273) * select(0.00000011920929f, 1f, _e456)) * _e279);
                     let _e474 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e474 {
                         let _e478 = (bitcast<f32>((bitcast<u32>(_e446) & 2147483647u)) * 0.00000011920929f);
-                        phi_765_ = select(0.00000000000011368684f, _e478, (_e478 > 0.00000000000011368684f));
+                        phi_777_ = select(0.00000000000011368684f, _e478, (_e478 > 0.00000000000011368684f));
                     } else {
-                        phi_765_ = 0f;
+                        phi_777_ = 0f;
                     }
-                    let _e482 = phi_765_;
+                    let _e482 = phi_777_;
                     let _e483 = (_e446 + _e482);
                     let _e484 = (_e446 - _e482);
                     let _e485 = select(_e470, 0f, _e474);
                     if _e474 {
-                        phi_776_ = 38685626000000000000000000f;
+                        phi_789_ = 38685626000000000000000000f;
                     } else {
-                        phi_776_ = (1f / _e470);
+                        phi_789_ = (1f / _e470);
                     }
-                    let _e488 = phi_776_;
+                    let _e488 = phi_789_;
                     let _e491 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
                     let _e494 = bitcast<f32>((bitcast<u32>(_e378) & 2147483647u));
                     let _e496 = select(_e494, _e491, (_e491 > _e494));
@@ -488,55 +488,55 @@ fn function_() {
                         let _e519 = (_e512 == 0u);
                         let _e522 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e512)), 32u, _e519)) - 8i);
                         if (_e515 == 255i) {
-                            phi_831_ = 255i;
+                            phi_844_ = 255i;
                         } else {
-                            phi_831_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e502);
+                            phi_844_ = (((_e515 + select(0i, 1i, (_e515 == 0i))) - _e522) + _e502);
                         }
-                        let _e530 = phi_831_;
+                        let _e530 = phi_844_;
                         let _e540 = (_e530 <= 0i);
                         if _e540 {
-                            phi_854_ = u32();
+                            phi_867_ = u32();
                         } else {
                             if _e519 {
-                                phi_853_ = u32();
+                                phi_866_ = u32();
                             } else {
-                                phi_853_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
+                                phi_866_ = select(((bitcast<u32>(_e530) << bitcast<u32>(23i)) | ((_e512 << bitcast<u32>(((_e522 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e530 >= 255i));
                             }
-                            let _e544 = phi_853_;
-                            phi_854_ = _e544;
+                            let _e544 = phi_866_;
+                            phi_867_ = _e544;
                         }
-                        let _e546 = phi_854_;
+                        let _e546 = phi_867_;
                         let _e558 = ((_e203 & 8388607u) | (select(0u, 1u, ((_e203 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e561 = bitcast<i32>((_e203 >> bitcast<u32>(23i)));
                         let _e565 = (_e558 == 0u);
                         let _e568 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e558)), 32u, _e565)) - 8i);
                         if (_e561 == 255i) {
-                            phi_891_ = 255i;
+                            phi_904_ = 255i;
                         } else {
-                            phi_891_ = (((_e561 + select(0i, 1i, (_e561 == 0i))) - _e568) + _e502);
+                            phi_904_ = (((_e561 + select(0i, 1i, (_e561 == 0i))) - _e568) + _e502);
                         }
-                        let _e576 = phi_891_;
+                        let _e576 = phi_904_;
                         let _e586 = (_e576 <= 0i);
                         if _e586 {
-                            phi_914_ = u32();
+                            phi_927_ = u32();
                         } else {
                             if _e565 {
-                                phi_913_ = u32();
+                                phi_926_ = u32();
                             } else {
-                                phi_913_ = select(((bitcast<u32>(_e576) << bitcast<u32>(23i)) | ((_e558 << bitcast<u32>(((_e568 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e576 >= 255i));
+                                phi_926_ = select(((bitcast<u32>(_e576) << bitcast<u32>(23i)) | ((_e558 << bitcast<u32>(((_e568 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e576 >= 255i));
                             }
-                            let _e590 = phi_913_;
-                            phi_914_ = _e590;
+                            let _e590 = phi_926_;
+                            phi_927_ = _e590;
                         }
-                        let _e592 = phi_914_;
-                        phi_922_ = bitcast<f32>(((_e202 & 2147483648u) | select(_e592, 0u, select(_e565, true, _e586))));
-                        phi_923_ = bitcast<f32>(((_e193 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
+                        let _e592 = phi_927_;
+                        phi_935_ = bitcast<f32>(((_e202 & 2147483648u) | select(_e592, 0u, select(_e565, true, _e586))));
+                        phi_936_ = bitcast<f32>(((_e193 & 2147483648u) | select(_e546, 0u, select(_e519, true, _e540))));
                     } else {
-                        phi_922_ = 0f;
-                        phi_923_ = 1f;
+                        phi_935_ = 0f;
+                        phi_936_ = 1f;
                     }
-                    let _e598 = phi_922_;
-                    let _e600 = phi_923_;
+                    let _e598 = phi_935_;
+                    let _e600 = phi_936_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -583,171 +583,171 @@ fn function_() {
                         break;
                     }
                     let _e624 = local_8[_e613];
-                    phi_3341_ = false;
-                    phi_996_ = type_32(_e598, false);
-                    phi_999_ = type_49(type_41(array<f32, 3>(_e608, _e612, _e616), array<f32, 3>(_e620, _e622, _e624)), select(0u, 2147483648u, (_e82 == 0u)));
-                    phi_1001_ = ((3u * _e82) + 1u);
-                    phi_1003_ = (_e600 <= _e598);
-                    phi_1005_ = 0u;
+                    phi_3473_ = false;
+                    phi_1019_ = type_32(_e598, false);
+                    phi_1022_ = (_e600 <= _e598);
+                    phi_1024_ = ((3u * _e82) + 1u);
+                    phi_1026_ = 0u;
+                    phi_1028_ = type_49(type_41(array<f32, 3>(_e608, _e612, _e616), array<f32, 3>(_e620, _e622, _e624)), select(0u, 2147483648u, (_e82 == 0u)));
                     loop {
-                        let _e632 = phi_3341_;
-                        let _e634 = phi_996_;
-                        let _e636 = phi_999_;
-                        let _e638 = phi_1001_;
-                        let _e640 = phi_1003_;
-                        let _e642 = phi_1005_;
+                        let _e632 = phi_3473_;
+                        let _e634 = phi_1019_;
+                        let _e636 = phi_1022_;
+                        let _e638 = phi_1024_;
+                        let _e640 = phi_1026_;
+                        let _e642 = phi_1028_;
                         local_11 = _e634;
-                        if _e640 {
-                            phi_1016_ = true;
+                        if _e636 {
+                            phi_1039_ = true;
                         } else {
-                            phi_1016_ = (_e642 > 0u);
+                            phi_1039_ = (_e640 > 0u);
                         }
-                        let _e645 = phi_1016_;
+                        let _e645 = phi_1039_;
                         if _e645 {
                             let _e646 = (_e638 > 0u);
                             if _e646 {
-                                if _e640 {
-                                    phi_1102_ = _e636;
-                                    phi_1103_ = _e640;
-                                    phi_1104_ = _e642;
+                                if _e636 {
+                                    phi_1125_ = _e636;
+                                    phi_1126_ = _e640;
+                                    phi_1127_ = _e642;
                                 } else {
-                                    let _e647 = (_e642 - 1u);
+                                    let _e647 = (_e640 - 1u);
                                     let _e648 = (_e647 % 128u);
                                     let _e649 = (_e648 < 128u);
                                     if _e649 {
                                     } else {
-                                        phi_3510_ = true;
+                                        phi_3642_ = true;
                                         break;
                                     }
                                     let _e651 = local_6[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3510_ = true;
+                                        phi_3642_ = true;
                                         break;
                                     }
                                     let _e653 = local_5[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3510_ = true;
+                                        phi_3642_ = true;
                                         break;
                                     }
                                     let _e655 = local_4[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3510_ = true;
+                                        phi_3642_ = true;
                                         break;
                                     }
                                     let _e657 = local_3[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3510_ = true;
+                                        phi_3642_ = true;
                                         break;
                                     }
                                     let _e660 = local_2[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3510_ = true;
+                                        phi_3642_ = true;
                                         break;
                                     }
                                     let _e662 = local_1[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3510_ = true;
+                                        phi_3642_ = true;
                                         break;
                                     }
                                     let _e664 = local[_e648];
                                     if _e649 {
                                     } else {
-                                        phi_3510_ = true;
+                                        phi_3642_ = true;
                                         break;
                                     }
                                     let _e669 = local_7[_e648];
-                                    phi_1102_ = type_49(type_41(array<f32, 3>(_e653, _e655, _e657), array<f32, 3>(_e660, _e662, _e664)), _e651);
-                                    phi_1103_ = (_e669 <= _e634.member);
-                                    phi_1104_ = _e647;
+                                    phi_1125_ = (_e669 <= _e634.member);
+                                    phi_1126_ = _e647;
+                                    phi_1127_ = type_49(type_41(array<f32, 3>(_e653, _e655, _e657), array<f32, 3>(_e660, _e662, _e664)), _e651);
                                 }
-                                let _e673 = phi_1102_;
-                                let _e675 = phi_1103_;
-                                let _e677 = phi_1104_;
-                                if _e675 {
-                                    if ((_e673.member_1 & 2147483648u) != 0u) {
-                                        phi_1123_ = _e634;
-                                        phi_1126_ = type_7(0u, ((_e673.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e673 = phi_1125_;
+                                let _e675 = phi_1126_;
+                                let _e677 = phi_1127_;
+                                if _e673 {
+                                    if ((_e677.member_1 & 2147483648u) != 0u) {
+                                        phi_1146_ = _e634;
+                                        phi_1149_ = type_7(0u, ((_e677.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1054 = phi_1123_;
-                                            let _e1056 = phi_1126_;
+                                            let _e1054 = phi_1146_;
+                                            let _e1056 = phi_1149_;
                                             local_10 = _e1054;
                                             local_12 = _e1054;
                                             if (_e1056.member < _e1056.member_1) {
-                                                phi_1127_ = type_7((_e1056.member + 1u), _e1056.member_1);
-                                                phi_1149_ = type_7(1u, _e1056.member);
+                                                phi_1150_ = type_7((_e1056.member + 1u), _e1056.member_1);
+                                                phi_1172_ = type_7(1u, _e1056.member);
                                             } else {
-                                                phi_1127_ = _e1056;
-                                                phi_1149_ = type_7(0u, type_7().member_1);
+                                                phi_1150_ = _e1056;
+                                                phi_1172_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1069 = phi_1127_;
-                                            let _e1071 = phi_1149_;
+                                            let _e1069 = phi_1150_;
+                                            let _e1071 = phi_1172_;
                                             let _e1075 = (bitcast<i32>(_e1071.member) != 0i);
                                             if _e1075 {
-                                                let _e1076 = ((_e673.member_1 & 268435455u) + _e1071.member_1);
+                                                let _e1076 = ((_e677.member_1 & 268435455u) + _e1071.member_1);
                                                 let _e1077 = (_e1076 < arrayLength((&global_6.member)));
                                                 if _e1077 {
                                                     if _e1077 {
                                                     } else {
-                                                        phi_3335_ = true;
+                                                        phi_3467_ = true;
                                                         break;
                                                     }
                                                     let _e1080 = global_6.member[_e1076].member_1;
-                                                    phi_1174_ = _e1080;
+                                                    phi_1197_ = _e1080;
                                                 } else {
-                                                    phi_1174_ = 4294967295u;
+                                                    phi_1197_ = 4294967295u;
                                                 }
-                                                let _e1082 = phi_1174_;
+                                                let _e1082 = phi_1197_;
                                                 if _e1077 {
                                                     if _e1077 {
                                                     } else {
-                                                        phi_3335_ = true;
+                                                        phi_3467_ = true;
                                                         break;
                                                     }
                                                     let _e1084 = global_6.member[_e1076];
-                                                    phi_1190_ = _e1084;
+                                                    phi_1213_ = _e1084;
                                                 } else {
-                                                    phi_1190_ = type_43(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1213_ = type_43(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e1086 = phi_1190_;
+                                                let _e1086 = phi_1213_;
                                                 let _e1098 = ((10u * _e245) & 31u);
                                                 let _e1101 = ((_e1086.member[0] >> bitcast<u32>(_e1098)) & 1023u);
-                                                let _e1109 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[0] - _e673.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                                let _e1114 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1101)) - 8388608f) * _e1109)) ^ _e117)));
-                                                let _e1118 = select(select(_e673.member.member_1[0], _e1114, (_e1114 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1101 == 1023u));
+                                                let _e1109 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                                let _e1114 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1101)) - 8388608f) * _e1109)) ^ _e117)));
+                                                let _e1118 = select(select(_e677.member.member_1[0], _e1114, (_e1114 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1101 == 1023u));
                                                 let _e1120 = ((10u * _e244) & 31u);
                                                 let _e1123 = ((_e1086.member[0] >> bitcast<u32>(_e1120)) & 1023u);
-                                                let _e1131 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[1] - _e673.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                                let _e1136 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1123)) - 8388608f) * _e1131)) ^ _e117)));
-                                                let _e1140 = select(select(_e673.member.member_1[1], _e1136, (_e1136 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1123 == 1023u));
+                                                let _e1131 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                                let _e1136 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1123)) - 8388608f) * _e1131)) ^ _e117)));
+                                                let _e1140 = select(select(_e677.member.member_1[1], _e1136, (_e1136 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1123 == 1023u));
                                                 let _e1142 = ((10u * _e246) & 31u);
                                                 let _e1145 = ((_e1086.member[0] >> bitcast<u32>(_e1142)) & 1023u);
-                                                let _e1153 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[2] - _e673.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                                let _e1158 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1145)) - 8388608f) * _e1153)) ^ _e117)));
-                                                let _e1162 = select(select(_e673.member.member_1[2], _e1158, (_e1158 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1145 == 1023u));
+                                                let _e1153 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                                let _e1158 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1145)) - 8388608f) * _e1153)) ^ _e117)));
+                                                let _e1162 = select(select(_e677.member.member_1[2], _e1158, (_e1158 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1145 == 1023u));
                                                 let _e1166 = ((_e1086.member[1] >> bitcast<u32>(_e1098)) & 1023u);
-                                                let _e1174 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1166)) - 8388608f) * _e1109)) ^ _e117)));
-                                                let _e1178 = select(select(_e673.member.member_1[0], _e1174, (_e1174 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1166 == 1023u));
+                                                let _e1174 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1166)) - 8388608f) * _e1109)) ^ _e117)));
+                                                let _e1178 = select(select(_e677.member.member_1[0], _e1174, (_e1174 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1166 == 1023u));
                                                 let _e1181 = ((_e1086.member[1] >> bitcast<u32>(_e1120)) & 1023u);
-                                                let _e1189 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1181)) - 8388608f) * _e1131)) ^ _e117)));
-                                                let _e1193 = select(select(_e673.member.member_1[1], _e1189, (_e1189 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1181 == 1023u));
+                                                let _e1189 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1181)) - 8388608f) * _e1131)) ^ _e117)));
+                                                let _e1193 = select(select(_e677.member.member_1[1], _e1189, (_e1189 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1181 == 1023u));
                                                 let _e1196 = ((_e1086.member[1] >> bitcast<u32>(_e1142)) & 1023u);
-                                                let _e1204 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1196)) - 8388608f) * _e1153)) ^ _e117)));
-                                                let _e1208 = select(select(_e673.member.member_1[2], _e1204, (_e1204 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1196 == 1023u));
+                                                let _e1204 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1196)) - 8388608f) * _e1153)) ^ _e117)));
+                                                let _e1208 = select(select(_e677.member.member_1[2], _e1204, (_e1204 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1196 == 1023u));
                                                 let _e1212 = ((_e1086.member[2] >> bitcast<u32>(_e1098)) & 1023u);
-                                                let _e1220 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1212)) - 8388608f) * _e1109)) ^ _e117)));
-                                                let _e1224 = select(select(_e673.member.member_1[0], _e1220, (_e1220 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1212 == 1023u));
+                                                let _e1220 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1212)) - 8388608f) * _e1109)) ^ _e117)));
+                                                let _e1224 = select(select(_e677.member.member_1[0], _e1220, (_e1220 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1212 == 1023u));
                                                 let _e1227 = ((_e1086.member[2] >> bitcast<u32>(_e1120)) & 1023u);
-                                                let _e1235 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1227)) - 8388608f) * _e1131)) ^ _e117)));
-                                                let _e1239 = select(select(_e673.member.member_1[1], _e1235, (_e1235 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1227 == 1023u));
+                                                let _e1235 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1227)) - 8388608f) * _e1131)) ^ _e117)));
+                                                let _e1239 = select(select(_e677.member.member_1[1], _e1235, (_e1235 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1227 == 1023u));
                                                 let _e1242 = ((_e1086.member[2] >> bitcast<u32>(_e1142)) & 1023u);
-                                                let _e1250 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1242)) - 8388608f) * _e1153)) ^ _e117)));
-                                                let _e1254 = select(select(_e673.member.member_1[2], _e1250, (_e1250 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1242 == 1023u));
+                                                let _e1250 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1242)) - 8388608f) * _e1153)) ^ _e117)));
+                                                let _e1254 = select(select(_e677.member.member_1[2], _e1250, (_e1250 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1242 == 1023u));
                                                 let _e1258 = (_e1162 - _e446);
                                                 let _e1261 = (((_e1118 - _e309) * _e485) - (_e1258 * _e349));
                                                 let _e1264 = (((_e1140 - _e378) * _e485) - (_e1258 * _e417));
@@ -774,34 +774,34 @@ fn function_() {
                                                     let _e1312 = select(0f, _e1310, (_e1310 > 0f));
                                                     let _e1314 = ((_e1304 + _e1308) + _e1312);
                                                     if (_e1314 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2268_ = type_21();
-                                                        phi_2269_ = true;
-                                                        phi_2270_ = false;
+                                                        phi_2359_ = type_21();
+                                                        phi_2360_ = true;
+                                                        phi_2361_ = false;
                                                     } else {
                                                         let _e1317 = select(_e1270, _e1261, (_e1261 < _e1270));
                                                         if (select(_e1279, _e1317, (_e1317 < _e1279)) > 0f) {
-                                                            phi_1584_ = true;
+                                                            phi_1651_ = true;
                                                         } else {
                                                             let _e1322 = select(_e1270, _e1261, (_e1261 > _e1270));
-                                                            phi_1584_ = (select(_e1279, _e1322, (_e1322 > _e1279)) < 0f);
+                                                            phi_1651_ = (select(_e1279, _e1322, (_e1322 > _e1279)) < 0f);
                                                         }
-                                                        let _e1327 = phi_1584_;
+                                                        let _e1327 = phi_1651_;
                                                         if _e1327 {
-                                                            phi_2265_ = type_21();
-                                                            phi_2266_ = true;
-                                                            phi_2267_ = false;
+                                                            phi_2356_ = type_21();
+                                                            phi_2357_ = true;
+                                                            phi_2358_ = false;
                                                         } else {
                                                             let _e1329 = select(_e1273, _e1264, (_e1264 < _e1273));
                                                             if (select(_e1282, _e1329, (_e1329 < _e1282)) > 0f) {
-                                                                phi_1613_ = true;
+                                                                phi_1680_ = true;
                                                             } else {
                                                                 let _e1334 = select(_e1273, _e1264, (_e1264 > _e1273));
-                                                                phi_1613_ = (select(_e1282, _e1334, (_e1334 > _e1282)) < 0f);
+                                                                phi_1680_ = (select(_e1282, _e1334, (_e1334 > _e1282)) < 0f);
                                                             }
-                                                            let _e1339 = phi_1613_;
+                                                            let _e1339 = phi_1680_;
                                                             if _e1339 {
-                                                                phi_2263_ = type_21();
-                                                                phi_2264_ = false;
+                                                                phi_2354_ = type_21();
+                                                                phi_2355_ = false;
                                                             } else {
                                                                 let _e1341 = select(_e1178, _e1118, (_e1118 < _e1178));
                                                                 let _e1345 = select(_e1178, _e1118, (_e1118 > _e1178));
@@ -828,12 +828,12 @@ fn function_() {
                                                                 let _e1396 = -(_e1377);
                                                                 let _e1402 = select(_e600, _e1387, (_e1387 > _e600));
                                                                 if (_e1402 > (_e1395 + (select(_e1396, _e1379, (_e1379 > _e1396)) * 0.0000019073523f))) {
-                                                                    phi_2258_ = type_21();
-                                                                    phi_2259_ = true;
+                                                                    phi_2349_ = type_21();
+                                                                    phi_2350_ = true;
                                                                 } else {
                                                                     let _e1404 = (_e1402 > _e1054.member);
                                                                     if _e1404 {
-                                                                        phi_2257_ = type_21();
+                                                                        phi_2348_ = type_21();
                                                                     } else {
                                                                         let _e1405 = vec3<f32>(_e1118, _e1140, _e1162);
                                                                         let _e1406 = vec3<f32>(_e1178, _e1193, _e1208);
@@ -868,49 +868,49 @@ fn function_() {
                                                                         let _e1460 = select(_e1445, _e1432, (_e1432 > _e1445));
                                                                         let _e1462 = select(_e1458, _e1460, (_e1460 > _e1458));
                                                                         if (_e1432 == _e1462) {
-                                                                            phi_1990_ = _e1273;
-                                                                            phi_1991_ = _e1270;
-                                                                            phi_1992_ = _e1264;
-                                                                            phi_1993_ = _e1261;
-                                                                            phi_1994_ = _e1405;
-                                                                            phi_1995_ = _e1419;
-                                                                            phi_1996_ = _e1415;
-                                                                            phi_1997_ = _e1411;
+                                                                            phi_2075_ = _e1273;
+                                                                            phi_2076_ = _e1270;
+                                                                            phi_2077_ = _e1264;
+                                                                            phi_2078_ = _e1261;
+                                                                            phi_2079_ = _e1405;
+                                                                            phi_2080_ = _e1419;
+                                                                            phi_2081_ = _e1415;
+                                                                            phi_2082_ = _e1411;
                                                                         } else {
                                                                             let _e1464 = (_e1445 == _e1462);
                                                                             let _e1469 = vec3(_e1464);
-                                                                            phi_1990_ = select(_e1264, _e1282, _e1464);
-                                                                            phi_1991_ = select(_e1261, _e1279, _e1464);
-                                                                            phi_1992_ = select(_e1282, _e1273, _e1464);
-                                                                            phi_1993_ = select(_e1279, _e1270, _e1464);
-                                                                            phi_1994_ = select(_e1407, _e1406, _e1469);
-                                                                            phi_1995_ = select(_e1415, _e1411, _e1469);
-                                                                            phi_1996_ = select(_e1411, _e1419, _e1469);
-                                                                            phi_1997_ = select(_e1419, _e1415, _e1469);
+                                                                            phi_2075_ = select(_e1264, _e1282, _e1464);
+                                                                            phi_2076_ = select(_e1261, _e1279, _e1464);
+                                                                            phi_2077_ = select(_e1282, _e1273, _e1464);
+                                                                            phi_2078_ = select(_e1279, _e1270, _e1464);
+                                                                            phi_2079_ = select(_e1407, _e1406, _e1469);
+                                                                            phi_2080_ = select(_e1415, _e1411, _e1469);
+                                                                            phi_2081_ = select(_e1411, _e1419, _e1469);
+                                                                            phi_2082_ = select(_e1419, _e1415, _e1469);
                                                                         }
-                                                                        let _e1475 = phi_1990_;
-                                                                        let _e1477 = phi_1991_;
-                                                                        let _e1479 = phi_1992_;
-                                                                        let _e1481 = phi_1993_;
-                                                                        let _e1483 = phi_1994_;
-                                                                        let _e1485 = phi_1995_;
-                                                                        let _e1487 = phi_1996_;
-                                                                        let _e1489 = phi_1997_;
+                                                                        let _e1475 = phi_2075_;
+                                                                        let _e1477 = phi_2076_;
+                                                                        let _e1479 = phi_2077_;
+                                                                        let _e1481 = phi_2078_;
+                                                                        let _e1483 = phi_2079_;
+                                                                        let _e1485 = phi_2080_;
+                                                                        let _e1487 = phi_2081_;
+                                                                        let _e1489 = phi_2082_;
                                                                         let _e1496 = ((_e1487.y * _e1485.z) - (_e1485.y * _e1487.z));
                                                                         let _e1501 = ((_e1487.z * _e1485.x) - (_e1485.z * _e1487.x));
                                                                         let _e1504 = ((_e1487.x * _e1485.y) - (_e1485.x * _e1487.y));
                                                                         if (_e1304 >= _e1308) {
-                                                                            phi_2028_ = select(true, false, (_e1304 >= _e1312));
+                                                                            phi_2119_ = select(true, false, (_e1304 >= _e1312));
                                                                         } else {
-                                                                            phi_2028_ = true;
+                                                                            phi_2119_ = true;
                                                                         }
-                                                                        let _e1509 = phi_2028_;
+                                                                        let _e1509 = phi_2119_;
                                                                         if _e1509 {
-                                                                            phi_2037_ = select(_e1407, _e1406, vec3((_e1308 >= _e1312)));
+                                                                            phi_2128_ = select(_e1407, _e1406, vec3((_e1308 >= _e1312)));
                                                                         } else {
-                                                                            phi_2037_ = _e1405;
+                                                                            phi_2128_ = _e1405;
                                                                         }
-                                                                        let _e1514 = phi_2037_;
+                                                                        let _e1514 = phi_2128_;
                                                                         let _e1525 = (((_e1496 * (_e1514.x - _e309)) + (_e1501 * (_e1514.y - _e378))) + (_e1504 * (_e1514.z - _e446)));
                                                                         let _e1530 = (((_e1496 * _e349) + (_e1501 * _e417)) + (_e1504 * _e485));
                                                                         let _e1531 = (_e1477 - _e1481);
@@ -942,191 +942,191 @@ fn function_() {
                                                                             let _e1628 = bitcast<f32>((bitcast<u32>(_e1485.z) & 2147483647u));
                                                                             let _e1632 = (bitcast<f32>((bitcast<u32>(_e1530) & 2147483647u)) > ((0.0000038146973f * select(_e1614, _e1611, (_e1611 > _e1614))) * select(_e1628, _e1625, (_e1625 > _e1628))));
                                                                             if _e1632 {
-                                                                                phi_2202_ = (_e1525 / _e1530);
+                                                                                phi_2293_ = (_e1525 / _e1530);
                                                                             } else {
-                                                                                phi_2202_ = f32();
+                                                                                phi_2293_ = f32();
                                                                             }
-                                                                            let _e1635 = phi_2202_;
-                                                                            phi_2204_ = _e1635;
-                                                                            phi_2205_ = select(true, false, _e1632);
+                                                                            let _e1635 = phi_2293_;
+                                                                            phi_2295_ = _e1635;
+                                                                            phi_2296_ = select(true, false, _e1632);
                                                                         } else {
-                                                                            phi_2204_ = f32();
-                                                                            phi_2205_ = true;
+                                                                            phi_2295_ = f32();
+                                                                            phi_2296_ = true;
                                                                         }
-                                                                        let _e1638 = phi_2204_;
-                                                                        let _e1640 = phi_2205_;
+                                                                        let _e1638 = phi_2295_;
+                                                                        let _e1640 = phi_2296_;
                                                                         if _e1640 {
                                                                             let _e1648 = (((_e1496 * (_e1557 - (_e349 * _e1560))) + (_e1501 * (_e1558 - (_e417 * _e1560)))) / _e1530);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1648) & 2147483647u)) <= _e1462) {
-                                                                                phi_2225_ = (_e1560 + _e1648);
+                                                                                phi_2316_ = (_e1560 + _e1648);
                                                                             } else {
-                                                                                phi_2225_ = _e1560;
+                                                                                phi_2316_ = _e1560;
                                                                             }
-                                                                            let _e1655 = phi_2225_;
-                                                                            phi_2226_ = _e1655;
+                                                                            let _e1655 = phi_2316_;
+                                                                            phi_2317_ = _e1655;
                                                                         } else {
-                                                                            phi_2226_ = _e1638;
+                                                                            phi_2317_ = _e1638;
                                                                         }
-                                                                        let _e1657 = phi_2226_;
+                                                                        let _e1657 = phi_2317_;
                                                                         let _e1659 = select(_e1395, _e1657, (_e1657 < _e1395));
                                                                         let _e1661 = select(_e1387, _e1659, (_e1659 > _e1387));
                                                                         if (_e1661 >= _e600) {
                                                                             let _e1663 = (_e1661 <= _e1054.member);
                                                                             if _e1663 {
                                                                                 let _e1664 = (1f / _e1314);
-                                                                                phi_2249_ = type_21(_e1661, (_e1308 * _e1664), (_e1312 * _e1664), _e1082);
+                                                                                phi_2340_ = type_21(_e1661, (_e1308 * _e1664), (_e1312 * _e1664), _e1082);
                                                                             } else {
-                                                                                phi_2249_ = type_21();
+                                                                                phi_2340_ = type_21();
                                                                             }
-                                                                            let _e1669 = phi_2249_;
-                                                                            phi_2251_ = _e1669;
-                                                                            phi_2252_ = select(true, false, _e1663);
+                                                                            let _e1669 = phi_2340_;
+                                                                            phi_2342_ = _e1669;
+                                                                            phi_2343_ = select(true, false, _e1663);
                                                                         } else {
-                                                                            phi_2251_ = type_21();
-                                                                            phi_2252_ = true;
+                                                                            phi_2342_ = type_21();
+                                                                            phi_2343_ = true;
                                                                         }
-                                                                        let _e1672 = phi_2251_;
-                                                                        let _e1674 = phi_2252_;
+                                                                        let _e1672 = phi_2342_;
+                                                                        let _e1674 = phi_2343_;
                                                                         if _e1674 {
-                                                                            phi_2256_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2347_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2256_ = _e1672;
+                                                                            phi_2347_ = _e1672;
                                                                         }
-                                                                        let _e1676 = phi_2256_;
-                                                                        phi_2257_ = _e1676;
+                                                                        let _e1676 = phi_2347_;
+                                                                        phi_2348_ = _e1676;
                                                                     }
-                                                                    let _e1678 = phi_2257_;
-                                                                    phi_2258_ = _e1678;
-                                                                    phi_2259_ = _e1404;
+                                                                    let _e1678 = phi_2348_;
+                                                                    phi_2349_ = _e1678;
+                                                                    phi_2350_ = _e1404;
                                                                 }
-                                                                let _e1680 = phi_2258_;
-                                                                let _e1682 = phi_2259_;
-                                                                phi_2263_ = _e1680;
-                                                                phi_2264_ = _e1682;
+                                                                let _e1680 = phi_2349_;
+                                                                let _e1682 = phi_2350_;
+                                                                phi_2354_ = _e1680;
+                                                                phi_2355_ = _e1682;
                                                             }
-                                                            let _e1684 = phi_2263_;
-                                                            let _e1686 = phi_2264_;
-                                                            phi_2265_ = _e1684;
-                                                            phi_2266_ = _e1339;
-                                                            phi_2267_ = _e1686;
+                                                            let _e1684 = phi_2354_;
+                                                            let _e1686 = phi_2355_;
+                                                            phi_2356_ = _e1684;
+                                                            phi_2357_ = _e1339;
+                                                            phi_2358_ = _e1686;
                                                         }
-                                                        let _e1688 = phi_2265_;
-                                                        let _e1690 = phi_2266_;
-                                                        let _e1692 = phi_2267_;
-                                                        phi_2268_ = _e1688;
-                                                        phi_2269_ = _e1690;
-                                                        phi_2270_ = _e1692;
+                                                        let _e1688 = phi_2356_;
+                                                        let _e1690 = phi_2357_;
+                                                        let _e1692 = phi_2358_;
+                                                        phi_2359_ = _e1688;
+                                                        phi_2360_ = _e1690;
+                                                        phi_2361_ = _e1692;
                                                     }
-                                                    let _e1694 = phi_2268_;
-                                                    let _e1696 = phi_2269_;
-                                                    let _e1698 = phi_2270_;
-                                                    phi_2278_ = _e1694;
-                                                    phi_2279_ = select(_e1698, true, _e1696);
+                                                    let _e1694 = phi_2359_;
+                                                    let _e1696 = phi_2360_;
+                                                    let _e1698 = phi_2361_;
+                                                    phi_2369_ = _e1694;
+                                                    phi_2370_ = select(_e1698, true, _e1696);
                                                 } else {
-                                                    phi_2278_ = type_21();
-                                                    phi_2279_ = true;
+                                                    phi_2369_ = type_21();
+                                                    phi_2370_ = true;
                                                 }
-                                                let _e1701 = phi_2278_;
-                                                let _e1703 = phi_2279_;
+                                                let _e1701 = phi_2369_;
+                                                let _e1703 = phi_2370_;
                                                 if _e1703 {
-                                                    phi_2283_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2374_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2283_ = _e1701;
+                                                    phi_2374_ = _e1701;
                                                 }
-                                                let _e1705 = phi_2283_;
+                                                let _e1705 = phi_2374_;
                                                 if (_e1705.member_3 != 4294967295u) {
                                                     if (_e1082 != 4294967295u) {
-                                                        phi_2294_ = type_32(_e1054.member, true);
+                                                        phi_2385_ = type_32(_e1054.member, true);
                                                     } else {
-                                                        phi_2294_ = _e1054;
+                                                        phi_2385_ = _e1054;
                                                     }
-                                                    let _e1713 = phi_2294_;
-                                                    phi_2295_ = _e1713;
+                                                    let _e1713 = phi_2385_;
+                                                    phi_2386_ = _e1713;
                                                 } else {
-                                                    phi_2295_ = _e1054;
+                                                    phi_2386_ = _e1054;
                                                 }
-                                                let _e1715 = phi_2295_;
-                                                phi_1124_ = _e1715;
+                                                let _e1715 = phi_2386_;
+                                                phi_1147_ = _e1715;
                                             } else {
-                                                phi_1124_ = type_32();
+                                                phi_1147_ = type_32();
                                             }
-                                            let _e1717 = phi_1124_;
+                                            let _e1717 = phi_1147_;
                                             continue;
                                             continuing {
-                                                phi_1123_ = _e1717;
-                                                phi_1126_ = _e1069;
-                                                phi_3335_ = _e632;
+                                                phi_1146_ = _e1717;
+                                                phi_1149_ = _e1069;
+                                                phi_3467_ = _e632;
                                                 break if !(_e1075);
                                             }
                                         }
-                                        let _e1720 = phi_3335_;
-                                        phi_3510_ = _e1720;
+                                        let _e1720 = phi_3467_;
+                                        phi_3642_ = _e1720;
                                         if _e1720 {
                                             break;
                                         }
                                         let _e1722 = local_10;
-                                        phi_3514_ = _e1720;
+                                        phi_3646_ = _e1720;
                                         let _e1887 = local_12;
-                                        phi_3269_ = _e1887;
-                                        phi_3270_ = _e673;
-                                        phi_3271_ = false;
-                                        phi_3272_ = select(_e677, 0u, _e1722.member_1);
+                                        phi_3401_ = _e1887;
+                                        phi_3402_ = false;
+                                        phi_3403_ = select(_e675, 0u, _e1722.member_1);
+                                        phi_3404_ = _e677;
                                     } else {
-                                        let _e687 = (_e673.member_1 < _e82);
+                                        let _e687 = (_e677.member_1 < _e82);
                                         if _e687 {
                                             if _e687 {
                                             } else {
-                                                phi_3510_ = true;
+                                                phi_3642_ = true;
                                                 break;
                                             }
-                                            let _e689 = global_5.member[_e673.member_1];
-                                            phi_2315_ = _e689;
+                                            let _e689 = global_5.member[_e677.member_1];
+                                            phi_2414_ = _e689;
                                         } else {
-                                            phi_2315_ = type_36(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2414_ = type_36(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e691 = phi_2315_;
+                                        let _e691 = phi_2414_;
                                         let _e706 = ((10u * _e245) & 31u);
                                         let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e717 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[0] - _e673.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                        let _e722 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e117)));
-                                        let _e726 = select(select(_e673.member.member_1[0], _e722, (_e722 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e709 == 1023u));
+                                        let _e717 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                        let _e722 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e117)));
+                                        let _e726 = select(select(_e677.member.member_1[0], _e722, (_e722 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e709 == 1023u));
                                         let _e728 = ((10u * _e244) & 31u);
                                         let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e739 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[1] - _e673.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                        let _e744 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e117)));
-                                        let _e748 = select(select(_e673.member.member_1[1], _e744, (_e744 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e731 == 1023u));
+                                        let _e739 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                        let _e744 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e117)));
+                                        let _e748 = select(select(_e677.member.member_1[1], _e744, (_e744 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e731 == 1023u));
                                         let _e750 = ((10u * _e246) & 31u);
                                         let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e761 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[2] - _e673.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                        let _e766 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e117)));
-                                        let _e770 = select(select(_e673.member.member_1[2], _e766, (_e766 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e753 == 1023u));
+                                        let _e761 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                        let _e766 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e117)));
+                                        let _e770 = select(select(_e677.member.member_1[2], _e766, (_e766 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e753 == 1023u));
                                         let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e781 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e117)));
-                                        let _e785 = select(select(_e673.member.member_1[0], _e781, (_e781 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e773 == 1023u));
+                                        let _e781 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e117)));
+                                        let _e785 = select(select(_e677.member.member_1[0], _e781, (_e781 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e773 == 1023u));
                                         let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e796 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e117)));
-                                        let _e800 = select(select(_e673.member.member_1[1], _e796, (_e796 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e788 == 1023u));
+                                        let _e796 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e117)));
+                                        let _e800 = select(select(_e677.member.member_1[1], _e796, (_e796 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e788 == 1023u));
                                         let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e811 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e117)));
-                                        let _e815 = select(select(_e673.member.member_1[2], _e811, (_e811 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e803 == 1023u));
+                                        let _e811 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e117)));
+                                        let _e815 = select(select(_e677.member.member_1[2], _e811, (_e811 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e803 == 1023u));
                                         let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e829 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e117)));
-                                        let _e833 = select(select(_e673.member.member_1[0], _e829, (_e829 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e821 == 1023u));
+                                        let _e829 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e117)));
+                                        let _e833 = select(select(_e677.member.member_1[0], _e829, (_e829 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e821 == 1023u));
                                         let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e844 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e117)));
-                                        let _e848 = select(select(_e673.member.member_1[1], _e844, (_e844 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e836 == 1023u));
+                                        let _e844 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e117)));
+                                        let _e848 = select(select(_e677.member.member_1[1], _e844, (_e844 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e836 == 1023u));
                                         let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e859 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e117)));
-                                        let _e863 = select(select(_e673.member.member_1[2], _e859, (_e859 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e851 == 1023u));
+                                        let _e859 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e117)));
+                                        let _e863 = select(select(_e677.member.member_1[2], _e859, (_e859 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e851 == 1023u));
                                         let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
-                                        let _e874 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e117)));
-                                        let _e878 = select(select(_e673.member.member_1[0], _e874, (_e874 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e866 == 1023u));
+                                        let _e874 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e117)));
+                                        let _e878 = select(select(_e677.member.member_1[0], _e874, (_e874 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e866 == 1023u));
                                         let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
-                                        let _e889 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e117)));
-                                        let _e893 = select(select(_e673.member.member_1[1], _e889, (_e889 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e881 == 1023u));
+                                        let _e889 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e117)));
+                                        let _e893 = select(select(_e677.member.member_1[1], _e889, (_e889 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e881 == 1023u));
                                         let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
-                                        let _e904 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e117)));
-                                        let _e908 = select(select(_e673.member.member_1[2], _e904, (_e904 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e896 == 1023u));
+                                        let _e904 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e117)));
+                                        let _e908 = select(select(_e677.member.member_1[2], _e904, (_e904 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e896 == 1023u));
                                         let _e913 = type_49(type_41(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
                                         let _e918 = type_49(type_41(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
                                         let _e924 = ((_e726 - _e347) * _e352);
@@ -1171,188 +1171,188 @@ fn function_() {
                                         if _e1002 {
                                             if _e1003 {
                                                 if _e1004 {
-                                                    phi_3171_ = _e918;
+                                                    phi_3300_ = _e918;
                                                 } else {
-                                                    phi_3171_ = _e913;
+                                                    phi_3300_ = _e913;
                                                 }
-                                                let _e1006 = phi_3171_;
-                                                let _e1014 = (_e677 % 128u);
+                                                let _e1006 = phi_3300_;
+                                                let _e1014 = (_e675 % 128u);
                                                 let _e1015 = (_e1014 < 128u);
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3510_ = true;
+                                                    phi_3642_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1014] = _e1006.member_1;
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3510_ = true;
+                                                    phi_3642_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1014] = _e1006.member.member[0];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3510_ = true;
+                                                    phi_3642_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1014] = _e1006.member.member[1];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3510_ = true;
+                                                    phi_3642_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1014] = _e1006.member.member[2];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3510_ = true;
+                                                    phi_3642_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1014] = _e1006.member.member_1[0];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3510_ = true;
+                                                    phi_3642_ = true;
                                                     break;
                                                 }
                                                 local_1[_e1014] = _e1006.member.member_1[1];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3510_ = true;
+                                                    phi_3642_ = true;
                                                     break;
                                                 }
                                                 local[_e1014] = _e1006.member.member_1[2];
                                                 if _e1015 {
                                                 } else {
-                                                    phi_3510_ = true;
+                                                    phi_3642_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1014] = select(_e997, _e995, (_e995 > _e997));
+                                                local_7[_e1014] = select(_e997, _e995, !(_e1004));
                                                 if _e1004 {
-                                                    phi_3248_ = _e913;
+                                                    phi_3377_ = _e913;
                                                 } else {
-                                                    phi_3248_ = _e918;
+                                                    phi_3377_ = _e918;
                                                 }
-                                                let _e1032 = phi_3248_;
-                                                phi_3249_ = _e1032;
-                                                phi_3250_ = (_e677 + 1u);
+                                                let _e1032 = phi_3377_;
+                                                phi_3378_ = (_e675 + 1u);
+                                                phi_3379_ = _e1032;
                                             } else {
-                                                phi_3249_ = type_49();
-                                                phi_3250_ = u32();
+                                                phi_3378_ = u32();
+                                                phi_3379_ = type_49();
                                             }
-                                            let _e1034 = phi_3249_;
-                                            let _e1036 = phi_3250_;
-                                            phi_3252_ = _e1034;
-                                            phi_3253_ = _e1036;
-                                            phi_3254_ = select(true, false, _e1003);
+                                            let _e1034 = phi_3378_;
+                                            let _e1036 = phi_3379_;
+                                            phi_3381_ = _e1034;
+                                            phi_3382_ = _e1036;
+                                            phi_3383_ = select(true, false, _e1003);
                                         } else {
-                                            phi_3252_ = type_49();
-                                            phi_3253_ = u32();
-                                            phi_3254_ = true;
+                                            phi_3381_ = u32();
+                                            phi_3382_ = type_49();
+                                            phi_3383_ = true;
                                         }
-                                        let _e1039 = phi_3252_;
-                                        let _e1041 = phi_3253_;
-                                        let _e1043 = phi_3254_;
+                                        let _e1039 = phi_3381_;
+                                        let _e1041 = phi_3382_;
+                                        let _e1043 = phi_3383_;
                                         if _e1043 {
                                             if _e1002 {
-                                                phi_3261_ = _e913;
+                                                phi_3390_ = _e913;
                                             } else {
-                                                phi_3261_ = _e918;
+                                                phi_3390_ = _e918;
                                             }
-                                            let _e1045 = phi_3261_;
-                                            phi_3266_ = _e1045;
-                                            phi_3267_ = select(_e1003, true, _e1002);
+                                            let _e1045 = phi_3390_;
+                                            phi_3395_ = select(_e1003, true, _e1002);
+                                            phi_3397_ = _e1045;
                                         } else {
-                                            phi_3266_ = _e1039;
-                                            phi_3267_ = _e675;
+                                            phi_3395_ = _e673;
+                                            phi_3397_ = _e1041;
                                         }
-                                        let _e1048 = phi_3266_;
-                                        let _e1050 = phi_3267_;
-                                        phi_3514_ = _e632;
-                                        phi_3269_ = _e634;
-                                        phi_3270_ = _e1048;
-                                        phi_3271_ = _e1050;
-                                        phi_3272_ = select(_e1041, _e677, _e1043);
+                                        let _e1048 = phi_3395_;
+                                        let _e1050 = phi_3397_;
+                                        phi_3646_ = _e632;
+                                        phi_3401_ = _e634;
+                                        phi_3402_ = _e1048;
+                                        phi_3403_ = select(_e1039, _e675, _e1043);
+                                        phi_3404_ = _e1050;
                                     }
-                                    let _e1726 = phi_3514_;
-                                    let _e1728 = phi_3269_;
-                                    let _e1730 = phi_3270_;
-                                    let _e1732 = phi_3271_;
-                                    let _e1734 = phi_3272_;
-                                    phi_3513_ = _e1726;
-                                    phi_3273_ = _e1728;
-                                    phi_3274_ = _e1730;
-                                    phi_3275_ = (_e638 - 1u);
-                                    phi_3276_ = _e1732;
-                                    phi_3277_ = _e1734;
+                                    let _e1726 = phi_3646_;
+                                    let _e1728 = phi_3401_;
+                                    let _e1730 = phi_3402_;
+                                    let _e1732 = phi_3403_;
+                                    let _e1734 = phi_3404_;
+                                    phi_3645_ = _e1726;
+                                    phi_3405_ = _e1728;
+                                    phi_3406_ = _e1730;
+                                    phi_3407_ = (_e638 - 1u);
+                                    phi_3408_ = _e1732;
+                                    phi_3409_ = _e1734;
                                 } else {
-                                    phi_3513_ = _e632;
-                                    phi_3273_ = _e634;
-                                    phi_3274_ = _e673;
-                                    phi_3275_ = _e638;
-                                    phi_3276_ = _e675;
-                                    phi_3277_ = _e677;
+                                    phi_3645_ = _e632;
+                                    phi_3405_ = _e634;
+                                    phi_3406_ = _e673;
+                                    phi_3407_ = _e638;
+                                    phi_3408_ = _e675;
+                                    phi_3409_ = _e677;
                                 }
-                                let _e1736 = phi_3513_;
-                                let _e1738 = phi_3273_;
-                                let _e1740 = phi_3274_;
-                                let _e1742 = phi_3275_;
-                                let _e1744 = phi_3276_;
-                                let _e1746 = phi_3277_;
-                                phi_3512_ = _e1736;
-                                phi_3278_ = _e1738;
-                                phi_3279_ = _e1740;
-                                phi_3280_ = _e1742;
-                                phi_3281_ = _e1744;
-                                phi_3282_ = _e1746;
+                                let _e1736 = phi_3645_;
+                                let _e1738 = phi_3405_;
+                                let _e1740 = phi_3406_;
+                                let _e1742 = phi_3407_;
+                                let _e1744 = phi_3408_;
+                                let _e1746 = phi_3409_;
+                                phi_3644_ = _e1736;
+                                phi_3410_ = _e1738;
+                                phi_3411_ = _e1740;
+                                phi_3412_ = _e1742;
+                                phi_3413_ = _e1744;
+                                phi_3414_ = _e1746;
                             } else {
-                                phi_3512_ = _e632;
-                                phi_3278_ = type_32();
-                                phi_3279_ = type_49();
-                                phi_3280_ = u32();
-                                phi_3281_ = bool();
-                                phi_3282_ = u32();
+                                phi_3644_ = _e632;
+                                phi_3410_ = type_32();
+                                phi_3411_ = bool();
+                                phi_3412_ = u32();
+                                phi_3413_ = u32();
+                                phi_3414_ = type_49();
                             }
-                            let _e1748 = phi_3512_;
-                            let _e1750 = phi_3278_;
-                            let _e1752 = phi_3279_;
-                            let _e1754 = phi_3280_;
-                            let _e1756 = phi_3281_;
-                            let _e1758 = phi_3282_;
-                            phi_3511_ = _e1748;
-                            phi_997_ = _e1750;
-                            phi_1000_ = _e1752;
-                            phi_1002_ = _e1754;
-                            phi_1004_ = _e1756;
-                            phi_1006_ = _e1758;
-                            phi_3283_ = _e646;
+                            let _e1748 = phi_3644_;
+                            let _e1750 = phi_3410_;
+                            let _e1752 = phi_3411_;
+                            let _e1754 = phi_3412_;
+                            let _e1756 = phi_3413_;
+                            let _e1758 = phi_3414_;
+                            phi_3643_ = _e1748;
+                            phi_1020_ = _e1750;
+                            phi_1023_ = _e1752;
+                            phi_1025_ = _e1754;
+                            phi_1027_ = _e1756;
+                            phi_1029_ = _e1758;
+                            phi_3415_ = _e646;
                         } else {
-                            phi_3511_ = _e632;
-                            phi_997_ = type_32();
-                            phi_1000_ = type_49();
-                            phi_1002_ = u32();
-                            phi_1004_ = bool();
-                            phi_1006_ = u32();
-                            phi_3283_ = false;
+                            phi_3643_ = _e632;
+                            phi_1020_ = type_32();
+                            phi_1023_ = bool();
+                            phi_1025_ = u32();
+                            phi_1027_ = u32();
+                            phi_1029_ = type_49();
+                            phi_3415_ = false;
                         }
-                        let _e1760 = phi_3511_;
-                        let _e1762 = phi_997_;
-                        let _e1764 = phi_1000_;
-                        let _e1766 = phi_1002_;
-                        let _e1768 = phi_1004_;
-                        let _e1770 = phi_1006_;
-                        let _e1772 = phi_3283_;
+                        let _e1760 = phi_3643_;
+                        let _e1762 = phi_1020_;
+                        let _e1764 = phi_1023_;
+                        let _e1766 = phi_1025_;
+                        let _e1768 = phi_1027_;
+                        let _e1770 = phi_1029_;
+                        let _e1772 = phi_3415_;
                         continue;
                         continuing {
-                            phi_3341_ = _e1760;
-                            phi_996_ = _e1762;
-                            phi_999_ = _e1764;
-                            phi_1001_ = _e1766;
-                            phi_1003_ = _e1768;
-                            phi_1005_ = _e1770;
-                            phi_3510_ = _e1760;
+                            phi_3473_ = _e1760;
+                            phi_1019_ = _e1762;
+                            phi_1022_ = _e1764;
+                            phi_1024_ = _e1766;
+                            phi_1026_ = _e1768;
+                            phi_1028_ = _e1770;
+                            phi_3642_ = _e1760;
                             break if !(_e1772);
                         }
                     }
-                    let _e1775 = phi_3510_;
+                    let _e1775 = phi_3642_;
                     if _e1775 {
                         break;
                     }

@@ -92,140 +92,140 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_366_: i32;
-    var phi_367_: i32;
-    var phi_377_: bool;
-    var phi_387_: u32;
-    var phi_388_: u32;
-    var phi_390_: bool;
+    var phi_373_: i32;
+    var phi_374_: i32;
+    var phi_384_: bool;
+    var phi_394_: u32;
     var phi_395_: u32;
-    var phi_407_: i32;
-    var phi_427_: i32;
-    var phi_445_: f32;
-    var phi_451_: f32;
-    var phi_491_: f32;
-    var phi_497_: f32;
-    var phi_549_: f32;
-    var phi_560_: f32;
+    var phi_397_: bool;
+    var phi_402_: u32;
+    var phi_415_: i32;
+    var phi_435_: i32;
+    var phi_453_: f32;
+    var phi_459_: f32;
+    var phi_499_: f32;
+    var phi_505_: f32;
+    var phi_557_: f32;
     var phi_569_: f32;
-    var phi_575_: f32;
-    var phi_615_: f32;
-    var phi_621_: f32;
-    var phi_673_: f32;
-    var phi_684_: f32;
-    var phi_693_: f32;
-    var phi_699_: f32;
-    var phi_739_: f32;
-    var phi_745_: f32;
-    var phi_797_: f32;
-    var phi_808_: f32;
-    var phi_863_: i32;
-    var phi_885_: u32;
-    var phi_886_: u32;
-    var phi_923_: i32;
-    var phi_945_: u32;
-    var phi_946_: u32;
-    var phi_954_: f32;
-    var phi_955_: f32;
-    var phi_3612_: bool;
-    var phi_1044_: type_42;
-    var phi_1047_: type_49;
-    var phi_1049_: u32;
-    var phi_1051_: bool;
-    var phi_1053_: u32;
-    var phi_1064_: bool;
-    var phi_1150_: type_49;
-    var phi_1151_: bool;
-    var phi_1152_: u32;
-    var phi_2881_: u32;
-    var phi_2882_: u32;
-    var phi_2892_: u32;
-    var phi_2894_: u32;
-    var phi_2895_: bool;
-    var phi_2915_: u32;
-    var phi_2916_: u32;
-    var phi_2920_: type_50;
-    var phi_3264_: type_49;
-    var phi_3341_: type_49;
-    var phi_3342_: type_49;
-    var phi_3343_: u32;
-    var phi_3345_: type_49;
-    var phi_3346_: u32;
-    var phi_3347_: bool;
-    var phi_3356_: type_49;
-    var phi_3361_: type_49;
-    var phi_3362_: bool;
-    var phi_1170_: type_42;
-    var phi_1173_: type_7;
-    var phi_1174_: type_7;
-    var phi_1196_: type_7;
-    var phi_1217_: u32;
-    var phi_1306_: array<array<f32, 3>, 3>;
-    var phi_1423_: bool;
-    var phi_1452_: bool;
-    var phi_1853_: f32;
-    var phi_1854_: f32;
-    var phi_1855_: f32;
-    var phi_1856_: f32;
-    var phi_1857_: vec3<f32>;
-    var phi_1858_: vec3<f32>;
-    var phi_1859_: vec3<f32>;
-    var phi_1860_: vec3<f32>;
-    var phi_1891_: bool;
-    var phi_1900_: vec3<f32>;
-    var phi_2065_: f32;
-    var phi_2067_: f32;
-    var phi_2068_: bool;
-    var phi_2088_: f32;
-    var phi_2089_: f32;
-    var phi_2112_: type_28;
-    var phi_2114_: type_28;
-    var phi_2115_: bool;
-    var phi_2119_: type_28;
-    var phi_2120_: type_28;
-    var phi_2121_: type_28;
-    var phi_2122_: bool;
-    var phi_2126_: type_28;
-    var phi_2127_: bool;
-    var phi_2128_: type_28;
-    var phi_2129_: bool;
-    var phi_2130_: bool;
-    var phi_2131_: type_28;
-    var phi_2132_: bool;
-    var phi_2133_: bool;
-    var phi_2141_: type_28;
-    var phi_2142_: bool;
-    var phi_2146_: type_28;
-    var phi_2157_: type_42;
-    var phi_2158_: type_42;
-    var phi_1171_: type_42;
-    var phi_3606_: bool;
+    var phi_578_: f32;
+    var phi_584_: f32;
+    var phi_624_: f32;
+    var phi_630_: f32;
+    var phi_682_: f32;
+    var phi_694_: f32;
+    var phi_703_: f32;
+    var phi_709_: f32;
+    var phi_749_: f32;
+    var phi_755_: f32;
+    var phi_807_: f32;
+    var phi_819_: f32;
+    var phi_874_: i32;
+    var phi_896_: u32;
+    var phi_897_: u32;
+    var phi_934_: i32;
+    var phi_956_: u32;
+    var phi_957_: u32;
+    var phi_965_: f32;
+    var phi_966_: f32;
+    var phi_3724_: bool;
+    var phi_1062_: type_42;
+    var phi_1065_: bool;
+    var phi_1067_: u32;
+    var phi_1069_: u32;
+    var phi_1071_: type_49;
+    var phi_1082_: bool;
+    var phi_1168_: bool;
+    var phi_1169_: u32;
+    var phi_1170_: type_49;
+    var phi_2972_: u32;
+    var phi_2973_: u32;
+    var phi_2983_: u32;
+    var phi_2985_: u32;
+    var phi_2986_: bool;
+    var phi_3006_: u32;
+    var phi_3007_: u32;
+    var phi_3011_: type_50;
+    var phi_3373_: type_49;
+    var phi_3450_: type_49;
+    var phi_3451_: u32;
+    var phi_3452_: type_49;
+    var phi_3454_: u32;
+    var phi_3455_: type_49;
+    var phi_3456_: bool;
+    var phi_3465_: type_49;
+    var phi_3470_: bool;
+    var phi_3472_: type_49;
+    var phi_1188_: type_42;
+    var phi_1191_: type_7;
+    var phi_1192_: type_7;
+    var phi_1214_: type_7;
+    var phi_1235_: u32;
+    var phi_1327_: array<array<f32, 3>, 3>;
+    var phi_1479_: bool;
+    var phi_1508_: bool;
+    var phi_1927_: f32;
+    var phi_1928_: f32;
+    var phi_1929_: f32;
+    var phi_1930_: f32;
+    var phi_1931_: vec3<f32>;
+    var phi_1932_: vec3<f32>;
+    var phi_1933_: vec3<f32>;
+    var phi_1934_: vec3<f32>;
+    var phi_1971_: bool;
+    var phi_1980_: vec3<f32>;
+    var phi_2145_: f32;
+    var phi_2147_: f32;
+    var phi_2148_: bool;
+    var phi_2168_: f32;
+    var phi_2169_: f32;
+    var phi_2192_: type_28;
+    var phi_2194_: type_28;
+    var phi_2195_: bool;
+    var phi_2199_: type_28;
+    var phi_2200_: type_28;
+    var phi_2201_: type_28;
+    var phi_2202_: bool;
+    var phi_2206_: type_28;
+    var phi_2207_: bool;
+    var phi_2208_: type_28;
+    var phi_2209_: bool;
+    var phi_2210_: bool;
+    var phi_2211_: type_28;
+    var phi_2212_: bool;
+    var phi_2213_: bool;
+    var phi_2221_: type_28;
+    var phi_2222_: bool;
+    var phi_2226_: type_28;
+    var phi_2237_: type_42;
+    var phi_2238_: type_42;
+    var phi_1189_: type_42;
+    var phi_3718_: bool;
     var local_10: type_42;
-    var phi_3767_: bool;
-    var phi_3364_: type_42;
-    var phi_3365_: type_49;
-    var phi_3366_: bool;
-    var phi_3367_: u32;
-    var phi_3766_: bool;
-    var phi_3368_: type_42;
-    var phi_3369_: type_49;
-    var phi_3370_: u32;
-    var phi_3371_: bool;
-    var phi_3372_: u32;
-    var phi_3765_: bool;
-    var phi_3373_: type_42;
-    var phi_3374_: type_49;
-    var phi_3375_: u32;
-    var phi_3376_: bool;
-    var phi_3377_: u32;
-    var phi_3764_: bool;
-    var phi_1045_: type_42;
-    var phi_1048_: type_49;
-    var phi_1050_: u32;
-    var phi_1052_: bool;
-    var phi_1054_: u32;
-    var phi_3378_: bool;
-    var phi_3763_: bool;
+    var phi_3879_: bool;
+    var phi_3476_: type_42;
+    var phi_3477_: bool;
+    var phi_3478_: u32;
+    var phi_3479_: type_49;
+    var phi_3878_: bool;
+    var phi_3480_: type_42;
+    var phi_3481_: bool;
+    var phi_3482_: u32;
+    var phi_3483_: u32;
+    var phi_3484_: type_49;
+    var phi_3877_: bool;
+    var phi_3485_: type_42;
+    var phi_3486_: bool;
+    var phi_3487_: u32;
+    var phi_3488_: u32;
+    var phi_3489_: type_49;
+    var phi_3876_: bool;
+    var phi_1063_: type_42;
+    var phi_1066_: bool;
+    var phi_1068_: u32;
+    var phi_1070_: u32;
+    var phi_1072_: type_49;
+    var phi_3490_: bool;
+    var phi_3875_: bool;
     var local_11: type_42;
     var local_12: type_42;
 
@@ -282,211 +282,211 @@ fn function_() {
                     if _e222 {
                         let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
                         if (_e225 >= 8388608u) {
-                            phi_366_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
+                            phi_373_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_366_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
+                            phi_373_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
                         }
-                        let _e239 = phi_366_;
-                        phi_367_ = _e239;
+                        let _e239 = phi_373_;
+                        phi_374_ = _e239;
                     } else {
-                        phi_367_ = 0i;
+                        phi_374_ = 0i;
                     }
-                    let _e241 = phi_367_;
+                    let _e241 = phi_374_;
                     let _e242 = (_e158 == _e197);
                     if _e242 {
-                        phi_377_ = true;
+                        phi_384_ = true;
                     } else {
-                        phi_377_ = (_e165 == _e197);
+                        phi_384_ = (_e165 == _e197);
                     }
-                    let _e245 = phi_377_;
+                    let _e245 = phi_384_;
                     let _e246 = select(1u, 0u, _e242);
                     if _e245 {
                         let _e247 = (_e246 + 1u);
-                        phi_387_ = _e247;
-                        phi_388_ = _e247;
-                        phi_390_ = select(true, false, (_e247 == 2u));
+                        phi_394_ = _e247;
+                        phi_395_ = _e247;
+                        phi_397_ = select(true, false, (_e247 == 2u));
                     } else {
-                        phi_387_ = u32();
-                        phi_388_ = 0u;
-                        phi_390_ = true;
-                    }
-                    let _e251 = phi_387_;
-                    let _e253 = phi_388_;
-                    let _e255 = phi_390_;
-                    if _e255 {
-                        phi_395_ = (_e253 + 1u);
-                    } else {
+                        phi_394_ = u32();
                         phi_395_ = 0u;
+                        phi_397_ = true;
                     }
-                    let _e259 = phi_395_;
+                    let _e251 = phi_394_;
+                    let _e253 = phi_395_;
+                    let _e255 = phi_397_;
+                    if _e255 {
+                        phi_402_ = (_e253 + 1u);
+                    } else {
+                        phi_402_ = 0u;
+                    }
+                    let _e259 = phi_402_;
                     let _e260 = select(_e251, _e253, _e255);
                     let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
                     if (_e128 < -126i) {
-                        phi_407_ = -126i;
+                        phi_415_ = -126i;
                     } else {
-                        phi_407_ = select(_e128, 127i, (_e128 > 127i));
+                        phi_415_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e266 = phi_407_;
+                    let _e266 = phi_415_;
                     let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
                     let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
                     let _e278 = -(_e241);
                     if (_e278 < -126i) {
-                        phi_427_ = -126i;
+                        phi_435_ = -126i;
                     } else {
-                        phi_427_ = select(_e278, 127i, (_e278 > 127i));
+                        phi_435_ = select(_e278, 127i, (_e278 > 127i));
                     }
-                    let _e283 = phi_427_;
+                    let _e283 = phi_435_;
                     let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
                     let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
                     let _e298 = global_5.member[_e146].member;
                     let _e299 = (_e260 == 0u);
                     if _e299 {
-                        phi_445_ = _e298[0];
+                        phi_453_ = _e298[0];
                     } else {
-                        phi_445_ = _e298[1];
+                        phi_453_ = _e298[1];
                     }
-                    let _e303 = phi_445_;
+                    let _e303 = phi_453_;
                     let _e304 = (_e260 == 2u);
                     if _e304 {
-                        phi_451_ = _e298[2];
+                        phi_459_ = _e298[2];
                     } else {
-                        phi_451_ = _e303;
+                        phi_459_ = _e303;
                     }
-                    let _e307 = phi_451_;
+                    let _e307 = phi_459_;
                     let _e308 = bitcast<u32>(_e307);
                     let _e310 = ((_e308 & 2139095040u) != 0u);
                     let _e324 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e308 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e308 & 2147483648u))), _e307, _e310) * _e271) * select(0.00000011920929f, 1f, _e310)) * _e277);
                     let _e325 = global_5.member[_e146].member_2;
                     if _e299 {
-                        phi_491_ = _e325[0];
+                        phi_499_ = _e325[0];
                     } else {
-                        phi_491_ = _e325[1];
+                        phi_499_ = _e325[1];
                     }
-                    let _e329 = phi_491_;
+                    let _e329 = phi_499_;
                     if _e304 {
-                        phi_497_ = _e325[2];
+                        phi_505_ = _e325[2];
                     } else {
-                        phi_497_ = _e329;
+                        phi_505_ = _e329;
                     }
-                    let _e332 = phi_497_;
+                    let _e332 = phi_505_;
                     let _e333 = bitcast<u32>(_e332);
                     let _e335 = ((_e333 & 2139095040u) != 0u);
                     let _e349 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e333 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e333 & 2147483648u))), _e332, _e335) * _e288) * select(0.00000011920929f, 1f, _e335)) * _e294);
                     let _e353 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e353 {
                         let _e357 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
-                        phi_549_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
+                        phi_557_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
                     } else {
-                        phi_549_ = 0f;
+                        phi_557_ = 0f;
                     }
-                    let _e361 = phi_549_;
+                    let _e361 = phi_557_;
                     let _e362 = (_e324 + _e361);
                     let _e363 = (_e324 - _e361);
                     let _e364 = select(_e349, 0f, _e353);
                     if _e353 {
-                        phi_560_ = 38685626000000000000000000f;
+                        phi_569_ = 38685626000000000000000000f;
                     } else {
-                        phi_560_ = (1f / _e349);
+                        phi_569_ = (1f / _e349);
                     }
-                    let _e367 = phi_560_;
+                    let _e367 = phi_569_;
                     let _e368 = (_e259 == 0u);
                     if _e368 {
-                        phi_569_ = _e298[0];
+                        phi_578_ = _e298[0];
                     } else {
-                        phi_569_ = _e298[1];
+                        phi_578_ = _e298[1];
                     }
-                    let _e372 = phi_569_;
+                    let _e372 = phi_578_;
                     let _e373 = (_e259 == 2u);
                     if _e373 {
-                        phi_575_ = _e298[2];
+                        phi_584_ = _e298[2];
                     } else {
-                        phi_575_ = _e372;
+                        phi_584_ = _e372;
                     }
-                    let _e376 = phi_575_;
+                    let _e376 = phi_584_;
                     let _e377 = bitcast<u32>(_e376);
                     let _e379 = ((_e377 & 2139095040u) != 0u);
                     let _e393 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e377 & 2147483648u))), _e376, _e379) * _e271) * select(0.00000011920929f, 1f, _e379)) * _e277);
                     if _e368 {
-                        phi_615_ = _e325[0];
+                        phi_624_ = _e325[0];
                     } else {
-                        phi_615_ = _e325[1];
+                        phi_624_ = _e325[1];
                     }
-                    let _e397 = phi_615_;
+                    let _e397 = phi_624_;
                     if _e373 {
-                        phi_621_ = _e325[2];
+                        phi_630_ = _e325[2];
                     } else {
-                        phi_621_ = _e397;
+                        phi_630_ = _e397;
                     }
-                    let _e400 = phi_621_;
+                    let _e400 = phi_630_;
                     let _e401 = bitcast<u32>(_e400);
                     let _e403 = ((_e401 & 2139095040u) != 0u);
                     let _e417 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e400, _e403) * _e288) * select(0.00000011920929f, 1f, _e403)) * _e294);
                     let _e421 = (bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e421 {
                         let _e425 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) * 0.00000011920929f);
-                        phi_673_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
+                        phi_682_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
                     } else {
-                        phi_673_ = 0f;
+                        phi_682_ = 0f;
                     }
-                    let _e429 = phi_673_;
+                    let _e429 = phi_682_;
                     let _e430 = (_e393 + _e429);
                     let _e431 = (_e393 - _e429);
                     let _e432 = select(_e417, 0f, _e421);
                     if _e421 {
-                        phi_684_ = 38685626000000000000000000f;
+                        phi_694_ = 38685626000000000000000000f;
                     } else {
-                        phi_684_ = (1f / _e417);
+                        phi_694_ = (1f / _e417);
                     }
-                    let _e435 = phi_684_;
+                    let _e435 = phi_694_;
                     let _e436 = (_e261 == 0u);
                     if _e436 {
-                        phi_693_ = _e298[0];
+                        phi_703_ = _e298[0];
                     } else {
-                        phi_693_ = _e298[1];
+                        phi_703_ = _e298[1];
                     }
-                    let _e440 = phi_693_;
+                    let _e440 = phi_703_;
                     let _e441 = (_e261 == 2u);
                     if _e441 {
-                        phi_699_ = _e298[2];
+                        phi_709_ = _e298[2];
                     } else {
-                        phi_699_ = _e440;
+                        phi_709_ = _e440;
                     }
-                    let _e444 = phi_699_;
+                    let _e444 = phi_709_;
                     let _e445 = bitcast<u32>(_e444);
                     let _e447 = ((_e445 & 2139095040u) != 0u);
                     let _e461 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e445 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e445 & 2147483648u))), _e444, _e447) * _e271) * select(0.00000011920929f, 1f, _e447)) * _e277);
                     if _e436 {
-                        phi_739_ = _e325[0];
+                        phi_749_ = _e325[0];
                     } else {
-                        phi_739_ = _e325[1];
+                        phi_749_ = _e325[1];
                     }
-                    let _e465 = phi_739_;
+                    let _e465 = phi_749_;
                     if _e441 {
-                        phi_745_ = _e325[2];
+                        phi_755_ = _e325[2];
                     } else {
-                        phi_745_ = _e465;
+                        phi_755_ = _e465;
                     }
-                    let _e468 = phi_745_;
+                    let _e468 = phi_755_;
                     let _e469 = bitcast<u32>(_e468);
                     let _e471 = ((_e469 & 2139095040u) != 0u);
                     let _e485 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * _e288) * select(0.00000011920929f, 1f, _e471)) * _e294);
                     let _e489 = (bitcast<f32>((bitcast<u32>(_e485) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e489 {
                         let _e493 = (bitcast<f32>((bitcast<u32>(_e461) & 2147483647u)) * 0.00000011920929f);
-                        phi_797_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
+                        phi_807_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
                     } else {
-                        phi_797_ = 0f;
+                        phi_807_ = 0f;
                     }
-                    let _e497 = phi_797_;
+                    let _e497 = phi_807_;
                     let _e498 = (_e461 + _e497);
                     let _e499 = (_e461 - _e497);
                     let _e500 = select(_e485, 0f, _e489);
                     if _e489 {
-                        phi_808_ = 38685626000000000000000000f;
+                        phi_819_ = 38685626000000000000000000f;
                     } else {
-                        phi_808_ = (1f / _e485);
+                        phi_819_ = (1f / _e485);
                     }
-                    let _e503 = phi_808_;
+                    let _e503 = phi_819_;
                     let _e506 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
                     let _e509 = bitcast<f32>((bitcast<u32>(_e393) & 2147483647u));
                     let _e511 = select(_e509, _e506, (_e506 > _e509));
@@ -498,55 +498,55 @@ fn function_() {
                         let _e534 = (_e527 == 0u);
                         let _e537 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e527)), 32u, _e534)) - 8i);
                         if (_e530 == 255i) {
-                            phi_863_ = 255i;
+                            phi_874_ = 255i;
                         } else {
-                            phi_863_ = (((_e530 + select(0i, 1i, (_e530 == 0i))) - _e537) + _e517);
+                            phi_874_ = (((_e530 + select(0i, 1i, (_e530 == 0i))) - _e537) + _e517);
                         }
-                        let _e545 = phi_863_;
+                        let _e545 = phi_874_;
                         let _e555 = (_e545 <= 0i);
                         if _e555 {
-                            phi_886_ = u32();
+                            phi_897_ = u32();
                         } else {
                             if _e534 {
-                                phi_885_ = u32();
+                                phi_896_ = u32();
                             } else {
-                                phi_885_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | ((_e527 << bitcast<u32>(((_e537 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e545 >= 255i));
+                                phi_896_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | ((_e527 << bitcast<u32>(((_e537 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e545 >= 255i));
                             }
-                            let _e559 = phi_885_;
-                            phi_886_ = _e559;
+                            let _e559 = phi_896_;
+                            phi_897_ = _e559;
                         }
-                        let _e561 = phi_886_;
+                        let _e561 = phi_897_;
                         let _e573 = ((_e218 & 8388607u) | (select(0u, 1u, ((_e218 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e576 = bitcast<i32>((_e218 >> bitcast<u32>(23i)));
                         let _e580 = (_e573 == 0u);
                         let _e583 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e573)), 32u, _e580)) - 8i);
                         if (_e576 == 255i) {
-                            phi_923_ = 255i;
+                            phi_934_ = 255i;
                         } else {
-                            phi_923_ = (((_e576 + select(0i, 1i, (_e576 == 0i))) - _e583) + _e517);
+                            phi_934_ = (((_e576 + select(0i, 1i, (_e576 == 0i))) - _e583) + _e517);
                         }
-                        let _e591 = phi_923_;
+                        let _e591 = phi_934_;
                         let _e601 = (_e591 <= 0i);
                         if _e601 {
-                            phi_946_ = u32();
+                            phi_957_ = u32();
                         } else {
                             if _e580 {
-                                phi_945_ = u32();
+                                phi_956_ = u32();
                             } else {
-                                phi_945_ = select(((bitcast<u32>(_e591) << bitcast<u32>(23i)) | ((_e573 << bitcast<u32>(((_e583 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e591 >= 255i));
+                                phi_956_ = select(((bitcast<u32>(_e591) << bitcast<u32>(23i)) | ((_e573 << bitcast<u32>(((_e583 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e591 >= 255i));
                             }
-                            let _e605 = phi_945_;
-                            phi_946_ = _e605;
+                            let _e605 = phi_956_;
+                            phi_957_ = _e605;
                         }
-                        let _e607 = phi_946_;
-                        phi_954_ = bitcast<f32>(((_e217 & 2147483648u) | select(_e607, 0u, select(_e580, true, _e601))));
-                        phi_955_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e561, 0u, select(_e534, true, _e555))));
+                        let _e607 = phi_957_;
+                        phi_965_ = bitcast<f32>(((_e217 & 2147483648u) | select(_e607, 0u, select(_e580, true, _e601))));
+                        phi_966_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e561, 0u, select(_e534, true, _e555))));
                     } else {
-                        phi_954_ = 0f;
-                        phi_955_ = 1f;
+                        phi_965_ = 0f;
+                        phi_966_ = 1f;
                     }
-                    let _e613 = phi_954_;
-                    let _e615 = phi_955_;
+                    let _e613 = phi_965_;
+                    let _e615 = phi_966_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -591,197 +591,197 @@ fn function_() {
                         break;
                     }
                     let _e647 = local[_e631];
-                    phi_3612_ = false;
-                    phi_1044_ = type_42(_e613, false);
-                    phi_1047_ = type_49(type_32(vec4<f32>((f32(_e622) * _e140), (f32(_e628) * _e140), (f32(_e634) * _e140), 0f), vec4<f32>((f32(_e639) * _e140), (f32(_e643) * _e140), (f32(_e647) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_1049_ = ((3u * _e90) + 1u);
-                    phi_1051_ = (_e615 <= _e613);
-                    phi_1053_ = 0u;
+                    phi_3724_ = false;
+                    phi_1062_ = type_42(_e613, false);
+                    phi_1065_ = (_e615 <= _e613);
+                    phi_1067_ = ((3u * _e90) + 1u);
+                    phi_1069_ = 0u;
+                    phi_1071_ = type_49(type_32(vec4<f32>((f32(_e622) * _e140), (f32(_e628) * _e140), (f32(_e634) * _e140), 0f), vec4<f32>((f32(_e639) * _e140), (f32(_e643) * _e140), (f32(_e647) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
                     loop {
-                        let _e657 = phi_3612_;
-                        let _e659 = phi_1044_;
-                        let _e661 = phi_1047_;
-                        let _e663 = phi_1049_;
-                        let _e665 = phi_1051_;
-                        let _e667 = phi_1053_;
+                        let _e657 = phi_3724_;
+                        let _e659 = phi_1062_;
+                        let _e661 = phi_1065_;
+                        let _e663 = phi_1067_;
+                        let _e665 = phi_1069_;
+                        let _e667 = phi_1071_;
                         local_11 = _e659;
-                        if _e665 {
-                            phi_1064_ = true;
+                        if _e661 {
+                            phi_1082_ = true;
                         } else {
-                            phi_1064_ = (_e667 > 0u);
+                            phi_1082_ = (_e665 > 0u);
                         }
-                        let _e670 = phi_1064_;
+                        let _e670 = phi_1082_;
                         if _e670 {
                             let _e671 = (_e663 > 0u);
                             if _e671 {
-                                if _e665 {
-                                    phi_1150_ = _e661;
-                                    phi_1151_ = _e665;
-                                    phi_1152_ = _e667;
+                                if _e661 {
+                                    phi_1168_ = _e661;
+                                    phi_1169_ = _e665;
+                                    phi_1170_ = _e667;
                                 } else {
-                                    let _e672 = (_e667 - 1u);
+                                    let _e672 = (_e665 - 1u);
                                     let _e673 = (_e672 % 128u);
                                     let _e674 = (_e673 < 128u);
                                     if _e674 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e676 = local_7[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e678 = local_6[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e680 = local_5[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e682 = local_4[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e684 = local_3[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e686 = local_2[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e691 = local_8[_e673];
                                     if _e674 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e694 = local_9[_e673];
-                                    phi_1150_ = type_49(type_32(vec4<f32>(_e676, _e678, _e680, 0f), vec4<f32>(_e682, _e684, _e686, 0f)), _e691);
-                                    phi_1151_ = (_e694 <= _e659.member);
-                                    phi_1152_ = _e672;
+                                    phi_1168_ = (_e694 <= _e659.member);
+                                    phi_1169_ = _e672;
+                                    phi_1170_ = type_49(type_32(vec4<f32>(_e676, _e678, _e680, 0f), vec4<f32>(_e682, _e684, _e686, 0f)), _e691);
                                 }
-                                let _e698 = phi_1150_;
-                                let _e700 = phi_1151_;
-                                let _e702 = phi_1152_;
-                                if _e700 {
-                                    if ((_e698.member_1 & 2147483648u) != 0u) {
-                                        phi_1170_ = _e659;
-                                        phi_1173_ = type_7(0u, ((_e698.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e698 = phi_1168_;
+                                let _e700 = phi_1169_;
+                                let _e702 = phi_1170_;
+                                if _e698 {
+                                    if ((_e702.member_1 & 2147483648u) != 0u) {
+                                        phi_1188_ = _e659;
+                                        phi_1191_ = type_7(0u, ((_e702.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1152 = phi_1170_;
-                                            let _e1154 = phi_1173_;
+                                            let _e1152 = phi_1188_;
+                                            let _e1154 = phi_1191_;
                                             local_10 = _e1152;
                                             local_12 = _e1152;
                                             if (_e1154.member < _e1154.member_1) {
-                                                phi_1174_ = type_7((_e1154.member + 1u), _e1154.member_1);
-                                                phi_1196_ = type_7(1u, _e1154.member);
+                                                phi_1192_ = type_7((_e1154.member + 1u), _e1154.member_1);
+                                                phi_1214_ = type_7(1u, _e1154.member);
                                             } else {
-                                                phi_1174_ = _e1154;
-                                                phi_1196_ = type_7(0u, type_7().member_1);
+                                                phi_1192_ = _e1154;
+                                                phi_1214_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1167 = phi_1174_;
-                                            let _e1169 = phi_1196_;
+                                            let _e1167 = phi_1192_;
+                                            let _e1169 = phi_1214_;
                                             let _e1173 = (bitcast<i32>(_e1169.member) != 0i);
                                             if _e1173 {
-                                                let _e1174 = ((_e698.member_1 & 268435455u) + _e1169.member_1);
+                                                let _e1174 = ((_e702.member_1 & 268435455u) + _e1169.member_1);
                                                 let _e1175 = (_e1174 < _e92);
                                                 if _e1175 {
                                                     if _e1175 {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1179 = global_2.member[_e1174].member_1;
-                                                    phi_1217_ = _e1179;
+                                                    phi_1235_ = _e1179;
                                                 } else {
-                                                    phi_1217_ = 4294967295u;
+                                                    phi_1235_ = 4294967295u;
                                                 }
-                                                let _e1181 = phi_1217_;
+                                                let _e1181 = phi_1235_;
                                                 if (_e1174 >= _e92) {
-                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1175 {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     if (_e619 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1188 = global_2.member[_e1174].member[_e619];
                                                     if (_e625 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1194 = global_2.member[_e1174].member[_e625];
                                                     if (_e631 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1200 = global_2.member[_e1174].member[_e631];
                                                     let _e1202 = (3u + _e619);
                                                     if (_e1202 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1208 = global_2.member[_e1174].member[_e1202];
                                                     let _e1209 = (3u + _e625);
                                                     if (_e1209 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1215 = global_2.member[_e1174].member[_e1209];
                                                     let _e1216 = (3u + _e631);
                                                     if (_e1216 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1222 = global_2.member[_e1174].member[_e1216];
                                                     let _e1224 = (6u + _e619);
                                                     if (_e1224 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1230 = global_2.member[_e1174].member[_e1224];
                                                     let _e1231 = (6u + _e625);
                                                     if (_e1231 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1237 = global_2.member[_e1174].member[_e1231];
                                                     let _e1238 = (6u + _e631);
                                                     if (_e1238 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1244 = global_2.member[_e1174].member[_e1238];
-                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1188, _e1194, _e1200), array<f32, 3>(_e1208, _e1215, _e1222), array<f32, 3>(_e1230, _e1237, _e1244));
+                                                    phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1188, _e1194, _e1200), array<f32, 3>(_e1208, _e1215, _e1222), array<f32, 3>(_e1230, _e1237, _e1244));
                                                 }
-                                                let _e1248 = phi_1306_;
+                                                let _e1248 = phi_1327_;
                                                 let _e1256 = (_e1248[0][2] - _e461);
                                                 let _e1259 = (((_e1248[0][0] - _e324) * _e500) - (_e1256 * _e364));
                                                 let _e1262 = (((_e1248[0][1] - _e393) * _e500) - (_e1256 * _e432));
@@ -808,34 +808,34 @@ fn function_() {
                                                     let _e1318 = select(0f, _e1316, (_e1316 > 0f));
                                                     let _e1320 = ((_e1310 + _e1314) + _e1318);
                                                     if (_e1320 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2131_ = type_28();
-                                                        phi_2132_ = true;
-                                                        phi_2133_ = false;
+                                                        phi_2211_ = type_28();
+                                                        phi_2212_ = true;
+                                                        phi_2213_ = false;
                                                     } else {
                                                         let _e1323 = select(_e1272, _e1259, (_e1259 < _e1272));
                                                         if (select(_e1285, _e1323, (_e1323 < _e1285)) > 0f) {
-                                                            phi_1423_ = true;
+                                                            phi_1479_ = true;
                                                         } else {
                                                             let _e1328 = select(_e1272, _e1259, (_e1259 > _e1272));
-                                                            phi_1423_ = (select(_e1285, _e1328, (_e1328 > _e1285)) < 0f);
+                                                            phi_1479_ = (select(_e1285, _e1328, (_e1328 > _e1285)) < 0f);
                                                         }
-                                                        let _e1333 = phi_1423_;
+                                                        let _e1333 = phi_1479_;
                                                         if _e1333 {
-                                                            phi_2128_ = type_28();
-                                                            phi_2129_ = true;
-                                                            phi_2130_ = false;
+                                                            phi_2208_ = type_28();
+                                                            phi_2209_ = true;
+                                                            phi_2210_ = false;
                                                         } else {
                                                             let _e1335 = select(_e1275, _e1262, (_e1262 < _e1275));
                                                             if (select(_e1288, _e1335, (_e1335 < _e1288)) > 0f) {
-                                                                phi_1452_ = true;
+                                                                phi_1508_ = true;
                                                             } else {
                                                                 let _e1340 = select(_e1275, _e1262, (_e1262 > _e1275));
-                                                                phi_1452_ = (select(_e1288, _e1340, (_e1340 > _e1288)) < 0f);
+                                                                phi_1508_ = (select(_e1288, _e1340, (_e1340 > _e1288)) < 0f);
                                                             }
-                                                            let _e1345 = phi_1452_;
+                                                            let _e1345 = phi_1508_;
                                                             if _e1345 {
-                                                                phi_2126_ = type_28();
-                                                                phi_2127_ = false;
+                                                                phi_2206_ = type_28();
+                                                                phi_2207_ = false;
                                                             } else {
                                                                 let _e1347 = select(_e1248[1][0], _e1248[0][0], (_e1248[0][0] < _e1248[1][0]));
                                                                 let _e1351 = select(_e1248[1][0], _e1248[0][0], (_e1248[0][0] > _e1248[1][0]));
@@ -862,12 +862,12 @@ fn function_() {
                                                                 let _e1402 = -(_e1383);
                                                                 let _e1408 = select(_e615, _e1393, (_e1393 > _e615));
                                                                 if (_e1408 > (_e1401 + (select(_e1402, _e1385, (_e1385 > _e1402)) * 0.0000019073523f))) {
-                                                                    phi_2121_ = type_28();
-                                                                    phi_2122_ = true;
+                                                                    phi_2201_ = type_28();
+                                                                    phi_2202_ = true;
                                                                 } else {
                                                                     let _e1410 = (_e1408 > _e1152.member);
                                                                     if _e1410 {
-                                                                        phi_2120_ = type_28();
+                                                                        phi_2200_ = type_28();
                                                                     } else {
                                                                         let _e1411 = vec3<f32>(_e1248[0][0], _e1248[0][1], _e1248[0][2]);
                                                                         let _e1412 = vec3<f32>(_e1248[1][0], _e1248[1][1], _e1248[1][2]);
@@ -902,49 +902,49 @@ fn function_() {
                                                                         let _e1466 = select(_e1451, _e1438, (_e1438 > _e1451));
                                                                         let _e1468 = select(_e1464, _e1466, (_e1466 > _e1464));
                                                                         if (_e1438 == _e1468) {
-                                                                            phi_1853_ = _e1275;
-                                                                            phi_1854_ = _e1272;
-                                                                            phi_1855_ = _e1262;
-                                                                            phi_1856_ = _e1259;
-                                                                            phi_1857_ = _e1411;
-                                                                            phi_1858_ = _e1425;
-                                                                            phi_1859_ = _e1421;
-                                                                            phi_1860_ = _e1417;
+                                                                            phi_1927_ = _e1275;
+                                                                            phi_1928_ = _e1272;
+                                                                            phi_1929_ = _e1262;
+                                                                            phi_1930_ = _e1259;
+                                                                            phi_1931_ = _e1411;
+                                                                            phi_1932_ = _e1425;
+                                                                            phi_1933_ = _e1421;
+                                                                            phi_1934_ = _e1417;
                                                                         } else {
                                                                             let _e1470 = (_e1451 == _e1468);
                                                                             let _e1475 = vec3(_e1470);
-                                                                            phi_1853_ = select(_e1262, _e1288, _e1470);
-                                                                            phi_1854_ = select(_e1259, _e1285, _e1470);
-                                                                            phi_1855_ = select(_e1288, _e1275, _e1470);
-                                                                            phi_1856_ = select(_e1285, _e1272, _e1470);
-                                                                            phi_1857_ = select(_e1413, _e1412, _e1475);
-                                                                            phi_1858_ = select(_e1421, _e1417, _e1475);
-                                                                            phi_1859_ = select(_e1417, _e1425, _e1475);
-                                                                            phi_1860_ = select(_e1425, _e1421, _e1475);
+                                                                            phi_1927_ = select(_e1262, _e1288, _e1470);
+                                                                            phi_1928_ = select(_e1259, _e1285, _e1470);
+                                                                            phi_1929_ = select(_e1288, _e1275, _e1470);
+                                                                            phi_1930_ = select(_e1285, _e1272, _e1470);
+                                                                            phi_1931_ = select(_e1413, _e1412, _e1475);
+                                                                            phi_1932_ = select(_e1421, _e1417, _e1475);
+                                                                            phi_1933_ = select(_e1417, _e1425, _e1475);
+                                                                            phi_1934_ = select(_e1425, _e1421, _e1475);
                                                                         }
-                                                                        let _e1481 = phi_1853_;
-                                                                        let _e1483 = phi_1854_;
-                                                                        let _e1485 = phi_1855_;
-                                                                        let _e1487 = phi_1856_;
-                                                                        let _e1489 = phi_1857_;
-                                                                        let _e1491 = phi_1858_;
-                                                                        let _e1493 = phi_1859_;
-                                                                        let _e1495 = phi_1860_;
+                                                                        let _e1481 = phi_1927_;
+                                                                        let _e1483 = phi_1928_;
+                                                                        let _e1485 = phi_1929_;
+                                                                        let _e1487 = phi_1930_;
+                                                                        let _e1489 = phi_1931_;
+                                                                        let _e1491 = phi_1932_;
+                                                                        let _e1493 = phi_1933_;
+                                                                        let _e1495 = phi_1934_;
                                                                         let _e1502 = ((_e1493.y * _e1491.z) - (_e1491.y * _e1493.z));
                                                                         let _e1507 = ((_e1493.z * _e1491.x) - (_e1491.z * _e1493.x));
                                                                         let _e1510 = ((_e1493.x * _e1491.y) - (_e1491.x * _e1493.y));
                                                                         if (_e1310 >= _e1314) {
-                                                                            phi_1891_ = select(true, false, (_e1310 >= _e1318));
+                                                                            phi_1971_ = select(true, false, (_e1310 >= _e1318));
                                                                         } else {
-                                                                            phi_1891_ = true;
+                                                                            phi_1971_ = true;
                                                                         }
-                                                                        let _e1515 = phi_1891_;
+                                                                        let _e1515 = phi_1971_;
                                                                         if _e1515 {
-                                                                            phi_1900_ = select(_e1413, _e1412, vec3((_e1314 >= _e1318)));
+                                                                            phi_1980_ = select(_e1413, _e1412, vec3((_e1314 >= _e1318)));
                                                                         } else {
-                                                                            phi_1900_ = _e1411;
+                                                                            phi_1980_ = _e1411;
                                                                         }
-                                                                        let _e1520 = phi_1900_;
+                                                                        let _e1520 = phi_1980_;
                                                                         let _e1531 = (((_e1502 * (_e1520.x - _e324)) + (_e1507 * (_e1520.y - _e393))) + (_e1510 * (_e1520.z - _e461)));
                                                                         let _e1536 = (((_e1502 * _e364) + (_e1507 * _e432)) + (_e1510 * _e500));
                                                                         let _e1537 = (_e1483 - _e1487);
@@ -976,171 +976,171 @@ fn function_() {
                                                                             let _e1634 = bitcast<f32>((bitcast<u32>(_e1491.z) & 2147483647u));
                                                                             let _e1638 = (bitcast<f32>((bitcast<u32>(_e1536) & 2147483647u)) > ((0.0000038146973f * select(_e1620, _e1617, (_e1617 > _e1620))) * select(_e1634, _e1631, (_e1631 > _e1634))));
                                                                             if _e1638 {
-                                                                                phi_2065_ = (_e1531 / _e1536);
+                                                                                phi_2145_ = (_e1531 / _e1536);
                                                                             } else {
-                                                                                phi_2065_ = f32();
+                                                                                phi_2145_ = f32();
                                                                             }
-                                                                            let _e1641 = phi_2065_;
-                                                                            phi_2067_ = _e1641;
-                                                                            phi_2068_ = select(true, false, _e1638);
+                                                                            let _e1641 = phi_2145_;
+                                                                            phi_2147_ = _e1641;
+                                                                            phi_2148_ = select(true, false, _e1638);
                                                                         } else {
-                                                                            phi_2067_ = f32();
-                                                                            phi_2068_ = true;
+                                                                            phi_2147_ = f32();
+                                                                            phi_2148_ = true;
                                                                         }
-                                                                        let _e1644 = phi_2067_;
-                                                                        let _e1646 = phi_2068_;
+                                                                        let _e1644 = phi_2147_;
+                                                                        let _e1646 = phi_2148_;
                                                                         if _e1646 {
                                                                             let _e1654 = (((_e1502 * (_e1563 - (_e364 * _e1566))) + (_e1507 * (_e1564 - (_e432 * _e1566)))) / _e1536);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1654) & 2147483647u)) <= _e1468) {
-                                                                                phi_2088_ = (_e1566 + _e1654);
+                                                                                phi_2168_ = (_e1566 + _e1654);
                                                                             } else {
-                                                                                phi_2088_ = _e1566;
+                                                                                phi_2168_ = _e1566;
                                                                             }
-                                                                            let _e1661 = phi_2088_;
-                                                                            phi_2089_ = _e1661;
+                                                                            let _e1661 = phi_2168_;
+                                                                            phi_2169_ = _e1661;
                                                                         } else {
-                                                                            phi_2089_ = _e1644;
+                                                                            phi_2169_ = _e1644;
                                                                         }
-                                                                        let _e1663 = phi_2089_;
+                                                                        let _e1663 = phi_2169_;
                                                                         let _e1665 = select(_e1401, _e1663, (_e1663 < _e1401));
                                                                         let _e1667 = select(_e1393, _e1665, (_e1665 > _e1393));
                                                                         if (_e1667 >= _e615) {
                                                                             let _e1669 = (_e1667 <= _e1152.member);
                                                                             if _e1669 {
                                                                                 let _e1670 = (1f / _e1320);
-                                                                                phi_2112_ = type_28(_e1667, (_e1314 * _e1670), (_e1318 * _e1670), _e1181);
+                                                                                phi_2192_ = type_28(_e1667, (_e1314 * _e1670), (_e1318 * _e1670), _e1181);
                                                                             } else {
-                                                                                phi_2112_ = type_28();
+                                                                                phi_2192_ = type_28();
                                                                             }
-                                                                            let _e1675 = phi_2112_;
-                                                                            phi_2114_ = _e1675;
-                                                                            phi_2115_ = select(true, false, _e1669);
+                                                                            let _e1675 = phi_2192_;
+                                                                            phi_2194_ = _e1675;
+                                                                            phi_2195_ = select(true, false, _e1669);
                                                                         } else {
-                                                                            phi_2114_ = type_28();
-                                                                            phi_2115_ = true;
+                                                                            phi_2194_ = type_28();
+                                                                            phi_2195_ = true;
                                                                         }
-                                                                        let _e1678 = phi_2114_;
-                                                                        let _e1680 = phi_2115_;
+                                                                        let _e1678 = phi_2194_;
+                                                                        let _e1680 = phi_2195_;
                                                                         if _e1680 {
-                                                                            phi_2119_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2199_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2119_ = _e1678;
+                                                                            phi_2199_ = _e1678;
                                                                         }
-                                                                        let _e1682 = phi_2119_;
-                                                                        phi_2120_ = _e1682;
+                                                                        let _e1682 = phi_2199_;
+                                                                        phi_2200_ = _e1682;
                                                                     }
-                                                                    let _e1684 = phi_2120_;
-                                                                    phi_2121_ = _e1684;
-                                                                    phi_2122_ = _e1410;
+                                                                    let _e1684 = phi_2200_;
+                                                                    phi_2201_ = _e1684;
+                                                                    phi_2202_ = _e1410;
                                                                 }
-                                                                let _e1686 = phi_2121_;
-                                                                let _e1688 = phi_2122_;
-                                                                phi_2126_ = _e1686;
-                                                                phi_2127_ = _e1688;
+                                                                let _e1686 = phi_2201_;
+                                                                let _e1688 = phi_2202_;
+                                                                phi_2206_ = _e1686;
+                                                                phi_2207_ = _e1688;
                                                             }
-                                                            let _e1690 = phi_2126_;
-                                                            let _e1692 = phi_2127_;
-                                                            phi_2128_ = _e1690;
-                                                            phi_2129_ = _e1345;
-                                                            phi_2130_ = _e1692;
+                                                            let _e1690 = phi_2206_;
+                                                            let _e1692 = phi_2207_;
+                                                            phi_2208_ = _e1690;
+                                                            phi_2209_ = _e1345;
+                                                            phi_2210_ = _e1692;
                                                         }
-                                                        let _e1694 = phi_2128_;
-                                                        let _e1696 = phi_2129_;
-                                                        let _e1698 = phi_2130_;
-                                                        phi_2131_ = _e1694;
-                                                        phi_2132_ = _e1696;
-                                                        phi_2133_ = _e1698;
+                                                        let _e1694 = phi_2208_;
+                                                        let _e1696 = phi_2209_;
+                                                        let _e1698 = phi_2210_;
+                                                        phi_2211_ = _e1694;
+                                                        phi_2212_ = _e1696;
+                                                        phi_2213_ = _e1698;
                                                     }
-                                                    let _e1700 = phi_2131_;
-                                                    let _e1702 = phi_2132_;
-                                                    let _e1704 = phi_2133_;
-                                                    phi_2141_ = _e1700;
-                                                    phi_2142_ = select(_e1704, true, _e1702);
+                                                    let _e1700 = phi_2211_;
+                                                    let _e1702 = phi_2212_;
+                                                    let _e1704 = phi_2213_;
+                                                    phi_2221_ = _e1700;
+                                                    phi_2222_ = select(_e1704, true, _e1702);
                                                 } else {
-                                                    phi_2141_ = type_28();
-                                                    phi_2142_ = true;
+                                                    phi_2221_ = type_28();
+                                                    phi_2222_ = true;
                                                 }
-                                                let _e1707 = phi_2141_;
-                                                let _e1709 = phi_2142_;
+                                                let _e1707 = phi_2221_;
+                                                let _e1709 = phi_2222_;
                                                 if _e1709 {
-                                                    phi_2146_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2226_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2146_ = _e1707;
+                                                    phi_2226_ = _e1707;
                                                 }
-                                                let _e1711 = phi_2146_;
+                                                let _e1711 = phi_2226_;
                                                 if (_e1711.member_3 != 4294967295u) {
                                                     if (_e1181 != 4294967295u) {
-                                                        phi_2157_ = type_42(_e1152.member, true);
+                                                        phi_2237_ = type_42(_e1152.member, true);
                                                     } else {
-                                                        phi_2157_ = _e1152;
+                                                        phi_2237_ = _e1152;
                                                     }
-                                                    let _e1719 = phi_2157_;
-                                                    phi_2158_ = _e1719;
+                                                    let _e1719 = phi_2237_;
+                                                    phi_2238_ = _e1719;
                                                 } else {
-                                                    phi_2158_ = _e1152;
+                                                    phi_2238_ = _e1152;
                                                 }
-                                                let _e1721 = phi_2158_;
-                                                phi_1171_ = _e1721;
+                                                let _e1721 = phi_2238_;
+                                                phi_1189_ = _e1721;
                                             } else {
-                                                phi_1171_ = type_42();
+                                                phi_1189_ = type_42();
                                             }
-                                            let _e1723 = phi_1171_;
+                                            let _e1723 = phi_1189_;
                                             continue;
                                             continuing {
-                                                phi_1170_ = _e1723;
-                                                phi_1173_ = _e1167;
-                                                phi_3606_ = _e657;
+                                                phi_1188_ = _e1723;
+                                                phi_1191_ = _e1167;
+                                                phi_3718_ = _e657;
                                                 break if !(_e1173);
                                             }
                                         }
-                                        let _e1726 = phi_3606_;
-                                        phi_3763_ = _e1726;
+                                        let _e1726 = phi_3718_;
+                                        phi_3875_ = _e1726;
                                         if _e1726 {
                                             break;
                                         }
                                         let _e1728 = local_10;
-                                        phi_3767_ = _e1726;
+                                        phi_3879_ = _e1726;
                                         let _e1900 = local_12;
-                                        phi_3364_ = _e1900;
-                                        phi_3365_ = _e698;
-                                        phi_3366_ = false;
-                                        phi_3367_ = select(_e702, 0u, _e1728.member_1);
+                                        phi_3476_ = _e1900;
+                                        phi_3477_ = false;
+                                        phi_3478_ = select(_e700, 0u, _e1728.member_1);
+                                        phi_3479_ = _e702;
                                     } else {
-                                        if (_e698.member_1 >= _e90) {
-                                            phi_2920_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e702.member_1 >= _e90) {
+                                            phi_3011_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e698.member_1 < _e90) {
+                                            if (_e702.member_1 < _e90) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
                                             let _e714 = ((1u + _e260) % 4u);
                                             if (_e714 < 4u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e719 = global_4.member[_e698.member_1][_e714];
+                                            let _e719 = global_4.member[_e702.member_1][_e714];
                                             let _e721 = (_e719 >> bitcast<u32>(11u));
                                             let _e723 = ((1u + _e259) % 4u);
                                             if (_e723 < 4u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e728 = global_4.member[_e698.member_1][_e723];
+                                            let _e728 = global_4.member[_e702.member_1][_e723];
                                             let _e730 = (_e728 >> bitcast<u32>(11u));
                                             let _e732 = ((1u + _e261) % 4u);
                                             if (_e732 < 4u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e737 = global_4.member[_e698.member_1][_e732];
+                                            let _e737 = global_4.member[_e702.member_1][_e732];
                                             let _e739 = (_e737 >> bitcast<u32>(11u));
-                                            let _e762 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.x - _e698.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e763 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.y - _e698.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e764 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.z - _e698.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e762 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e763 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e764 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.001953125f);
                                             let _e766 = select(_e140, _e762, (_e762 > _e140));
                                             let _e768 = select(_e140, _e763, (_e763 > _e140));
                                             let _e770 = select(_e140, _e764, (_e764 > _e140));
@@ -1168,10 +1168,10 @@ fn function_() {
                                             let _e870 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
                                             let _e874 = bitcast<f32>((_e849 & bitcast<u32>(~(_e854))));
                                             let _e878 = bitcast<f32>((_e858 & bitcast<u32>(~(_e863))));
-                                            let _e908 = global_4.member[_e698.member_1][0u];
-                                            let _e912 = global_4.member[_e698.member_1][1u];
-                                            let _e916 = global_4.member[_e698.member_1][2u];
-                                            let _e920 = global_4.member[_e698.member_1][3u];
+                                            let _e908 = global_4.member[_e702.member_1][0u];
+                                            let _e912 = global_4.member[_e702.member_1][1u];
+                                            let _e916 = global_4.member[_e702.member_1][2u];
+                                            let _e920 = global_4.member[_e702.member_1][3u];
                                             let _e932 = (((_e912 >> bitcast<u32>(22i)) | ((_e916 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e920 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
                                             let _e933 = (_e908 & 268435455u);
                                             let _e934 = (_e932 & 268435455u);
@@ -1179,48 +1179,48 @@ fn function_() {
                                             let _e945 = ((_e908 >> bitcast<u32>(31i)) | (((_e932 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
                                             let _e946 = (_e937 != 0u);
                                             if (_e937 == 0u) {
-                                                phi_2882_ = _e933;
+                                                phi_2973_ = _e933;
                                             } else {
                                                 if (_e937 == 7u) {
-                                                    phi_2881_ = 2147483648u;
+                                                    phi_2972_ = 2147483648u;
                                                 } else {
-                                                    phi_2881_ = ((2147483648u | (_e937 << bitcast<u32>(28u))) | (_e934 & 268435455u));
+                                                    phi_2972_ = ((2147483648u | (_e937 << bitcast<u32>(28u))) | (_e934 & 268435455u));
                                                 }
-                                                let _e955 = phi_2881_;
-                                                phi_2882_ = _e955;
+                                                let _e955 = phi_2972_;
+                                                phi_2973_ = _e955;
                                             }
-                                            let _e957 = phi_2882_;
+                                            let _e957 = phi_2973_;
                                             if _e946 {
                                                 let _e958 = (_e937 != 7u);
                                                 if _e958 {
-                                                    phi_2892_ = (_e934 + _e937);
+                                                    phi_2983_ = (_e934 + _e937);
                                                 } else {
-                                                    phi_2892_ = u32();
+                                                    phi_2983_ = u32();
                                                 }
-                                                let _e961 = phi_2892_;
-                                                phi_2894_ = _e961;
-                                                phi_2895_ = select(true, false, _e958);
+                                                let _e961 = phi_2983_;
+                                                phi_2985_ = _e961;
+                                                phi_2986_ = select(true, false, _e958);
                                             } else {
-                                                phi_2894_ = u32();
-                                                phi_2895_ = true;
+                                                phi_2985_ = u32();
+                                                phi_2986_ = true;
                                             }
-                                            let _e964 = phi_2894_;
-                                            let _e966 = phi_2895_;
+                                            let _e964 = phi_2985_;
+                                            let _e966 = phi_2986_;
                                             if (_e945 == 0u) {
-                                                phi_2916_ = (_e933 + select(0u, 1u, !(_e946)));
+                                                phi_3007_ = (_e933 + select(0u, 1u, !(_e946)));
                                             } else {
                                                 if (_e945 == 7u) {
-                                                    phi_2915_ = 2147483648u;
+                                                    phi_3006_ = 2147483648u;
                                                 } else {
-                                                    phi_2915_ = ((2147483648u | (_e945 << bitcast<u32>(28u))) | (select(_e964, _e934, _e966) & 268435455u));
+                                                    phi_3006_ = ((2147483648u | (_e945 << bitcast<u32>(28u))) | (select(_e964, _e934, _e966) & 268435455u));
                                                 }
-                                                let _e979 = phi_2915_;
-                                                phi_2916_ = _e979;
+                                                let _e979 = phi_3006_;
+                                                phi_3007_ = _e979;
                                             }
-                                            let _e981 = phi_2916_;
-                                            phi_2920_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e698.member.member.x + _e809), (_e698.member.member.x + _e831), (_e698.member.member_1.x - _e848), (_e698.member.member_1.x - _e870)), vec4<f32>((_e698.member.member.y + _e818), (_e698.member.member.y + _e835), (_e698.member.member_1.y - _e857), (_e698.member.member_1.y - _e874)), vec4<f32>((_e698.member.member.z + _e827), (_e698.member.member.z + _e839), (_e698.member.member_1.z - _e866), (_e698.member.member_1.z - _e878))), type_49(type_32((_e698.member.member + vec4<f32>(_e809, _e818, _e827, 0f)), (_e698.member.member_1 - vec4<f32>(_e848, _e857, _e866, 0f))), _e957), type_49(type_32((_e698.member.member + vec4<f32>(_e831, _e835, _e839, 0f)), (_e698.member.member_1 - vec4<f32>(_e870, _e874, _e878, 0f))), _e981));
+                                            let _e981 = phi_3007_;
+                                            phi_3011_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e809), (_e702.member.member.x + _e831), (_e702.member.member_1.x - _e848), (_e702.member.member_1.x - _e870)), vec4<f32>((_e702.member.member.y + _e818), (_e702.member.member.y + _e835), (_e702.member.member_1.y - _e857), (_e702.member.member_1.y - _e874)), vec4<f32>((_e702.member.member.z + _e827), (_e702.member.member.z + _e839), (_e702.member.member_1.z - _e866), (_e702.member.member_1.z - _e878))), type_49(type_32((_e702.member.member + vec4<f32>(_e809, _e818, _e827, 0f)), (_e702.member.member_1 - vec4<f32>(_e848, _e857, _e866, 0f))), _e957), type_49(type_32((_e702.member.member + vec4<f32>(_e831, _e835, _e839, 0f)), (_e702.member.member_1 - vec4<f32>(_e870, _e874, _e878, 0f))), _e981));
                                         }
-                                        let _e986 = phi_2920_;
+                                        let _e986 = phi_3011_;
                                         let _e998 = ((_e986.member[0].x - _e362) * _e367);
                                         let _e999 = ((_e986.member[0].y - _e362) * _e367);
                                         let _e1000 = ((_e986.member[0].z - _e363) * _e367);
@@ -1263,188 +1263,188 @@ fn function_() {
                                         if _e1086 {
                                             if _e1087 {
                                                 if _e1088 {
-                                                    phi_3264_ = _e986.member_2;
+                                                    phi_3373_ = _e986.member_2;
                                                 } else {
-                                                    phi_3264_ = _e986.member_1;
+                                                    phi_3373_ = _e986.member_1;
                                                 }
-                                                let _e1092 = phi_3264_;
-                                                let _e1114 = (_e702 % 128u);
+                                                let _e1092 = phi_3373_;
+                                                let _e1114 = (_e700 % 128u);
                                                 let _e1115 = (_e1114 < 128u);
                                                 if _e1115 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_8[_e1114] = _e1092.member_1;
                                                 if _e1115 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_7[_e1114] = _e1092.member.member.x;
                                                 if _e1115 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1114] = _e1092.member.member.y;
                                                 if _e1115 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1114] = _e1092.member.member.z;
                                                 if _e1115 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1114] = _e1092.member.member_1.x;
                                                 if _e1115 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1114] = _e1092.member.member_1.y;
                                                 if _e1115 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1114] = _e1092.member.member_1.z;
                                                 if _e1115 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1114] = select(_e1081, _e1079, (_e1079 > _e1081));
+                                                local_9[_e1114] = select(_e1081, _e1079, !(_e1088));
                                                 if _e1088 {
-                                                    phi_3341_ = _e986.member_1;
+                                                    phi_3450_ = _e986.member_1;
                                                 } else {
-                                                    phi_3341_ = _e986.member_2;
+                                                    phi_3450_ = _e986.member_2;
                                                 }
-                                                let _e1128 = phi_3341_;
-                                                phi_3342_ = _e1128;
-                                                phi_3343_ = (_e702 + 1u);
+                                                let _e1128 = phi_3450_;
+                                                phi_3451_ = (_e700 + 1u);
+                                                phi_3452_ = _e1128;
                                             } else {
-                                                phi_3342_ = type_49();
-                                                phi_3343_ = u32();
+                                                phi_3451_ = u32();
+                                                phi_3452_ = type_49();
                                             }
-                                            let _e1130 = phi_3342_;
-                                            let _e1132 = phi_3343_;
-                                            phi_3345_ = _e1130;
-                                            phi_3346_ = _e1132;
-                                            phi_3347_ = select(true, false, _e1087);
+                                            let _e1130 = phi_3451_;
+                                            let _e1132 = phi_3452_;
+                                            phi_3454_ = _e1130;
+                                            phi_3455_ = _e1132;
+                                            phi_3456_ = select(true, false, _e1087);
                                         } else {
-                                            phi_3345_ = type_49();
-                                            phi_3346_ = u32();
-                                            phi_3347_ = true;
+                                            phi_3454_ = u32();
+                                            phi_3455_ = type_49();
+                                            phi_3456_ = true;
                                         }
-                                        let _e1135 = phi_3345_;
-                                        let _e1137 = phi_3346_;
-                                        let _e1139 = phi_3347_;
+                                        let _e1135 = phi_3454_;
+                                        let _e1137 = phi_3455_;
+                                        let _e1139 = phi_3456_;
                                         if _e1139 {
                                             if _e1086 {
-                                                phi_3356_ = _e986.member_1;
+                                                phi_3465_ = _e986.member_1;
                                             } else {
-                                                phi_3356_ = _e986.member_2;
+                                                phi_3465_ = _e986.member_2;
                                             }
-                                            let _e1143 = phi_3356_;
-                                            phi_3361_ = _e1143;
-                                            phi_3362_ = select(_e1087, true, _e1086);
+                                            let _e1143 = phi_3465_;
+                                            phi_3470_ = select(_e1087, true, _e1086);
+                                            phi_3472_ = _e1143;
                                         } else {
-                                            phi_3361_ = _e1135;
-                                            phi_3362_ = _e700;
+                                            phi_3470_ = _e698;
+                                            phi_3472_ = _e1137;
                                         }
-                                        let _e1146 = phi_3361_;
-                                        let _e1148 = phi_3362_;
-                                        phi_3767_ = _e657;
-                                        phi_3364_ = _e659;
-                                        phi_3365_ = _e1146;
-                                        phi_3366_ = _e1148;
-                                        phi_3367_ = select(_e1137, _e702, _e1139);
+                                        let _e1146 = phi_3470_;
+                                        let _e1148 = phi_3472_;
+                                        phi_3879_ = _e657;
+                                        phi_3476_ = _e659;
+                                        phi_3477_ = _e1146;
+                                        phi_3478_ = select(_e1135, _e700, _e1139);
+                                        phi_3479_ = _e1148;
                                     }
-                                    let _e1732 = phi_3767_;
-                                    let _e1734 = phi_3364_;
-                                    let _e1736 = phi_3365_;
-                                    let _e1738 = phi_3366_;
-                                    let _e1740 = phi_3367_;
-                                    phi_3766_ = _e1732;
-                                    phi_3368_ = _e1734;
-                                    phi_3369_ = _e1736;
-                                    phi_3370_ = (_e663 - 1u);
-                                    phi_3371_ = _e1738;
-                                    phi_3372_ = _e1740;
+                                    let _e1732 = phi_3879_;
+                                    let _e1734 = phi_3476_;
+                                    let _e1736 = phi_3477_;
+                                    let _e1738 = phi_3478_;
+                                    let _e1740 = phi_3479_;
+                                    phi_3878_ = _e1732;
+                                    phi_3480_ = _e1734;
+                                    phi_3481_ = _e1736;
+                                    phi_3482_ = (_e663 - 1u);
+                                    phi_3483_ = _e1738;
+                                    phi_3484_ = _e1740;
                                 } else {
-                                    phi_3766_ = _e657;
-                                    phi_3368_ = _e659;
-                                    phi_3369_ = _e698;
-                                    phi_3370_ = _e663;
-                                    phi_3371_ = _e700;
-                                    phi_3372_ = _e702;
+                                    phi_3878_ = _e657;
+                                    phi_3480_ = _e659;
+                                    phi_3481_ = _e698;
+                                    phi_3482_ = _e663;
+                                    phi_3483_ = _e700;
+                                    phi_3484_ = _e702;
                                 }
-                                let _e1742 = phi_3766_;
-                                let _e1744 = phi_3368_;
-                                let _e1746 = phi_3369_;
-                                let _e1748 = phi_3370_;
-                                let _e1750 = phi_3371_;
-                                let _e1752 = phi_3372_;
-                                phi_3765_ = _e1742;
-                                phi_3373_ = _e1744;
-                                phi_3374_ = _e1746;
-                                phi_3375_ = _e1748;
-                                phi_3376_ = _e1750;
-                                phi_3377_ = _e1752;
+                                let _e1742 = phi_3878_;
+                                let _e1744 = phi_3480_;
+                                let _e1746 = phi_3481_;
+                                let _e1748 = phi_3482_;
+                                let _e1750 = phi_3483_;
+                                let _e1752 = phi_3484_;
+                                phi_3877_ = _e1742;
+                                phi_3485_ = _e1744;
+                                phi_3486_ = _e1746;
+                                phi_3487_ = _e1748;
+                                phi_3488_ = _e1750;
+                                phi_3489_ = _e1752;
                             } else {
-                                phi_3765_ = _e657;
-                                phi_3373_ = type_42();
-                                phi_3374_ = type_49();
-                                phi_3375_ = u32();
-                                phi_3376_ = bool();
-                                phi_3377_ = u32();
+                                phi_3877_ = _e657;
+                                phi_3485_ = type_42();
+                                phi_3486_ = bool();
+                                phi_3487_ = u32();
+                                phi_3488_ = u32();
+                                phi_3489_ = type_49();
                             }
-                            let _e1754 = phi_3765_;
-                            let _e1756 = phi_3373_;
-                            let _e1758 = phi_3374_;
-                            let _e1760 = phi_3375_;
-                            let _e1762 = phi_3376_;
-                            let _e1764 = phi_3377_;
-                            phi_3764_ = _e1754;
-                            phi_1045_ = _e1756;
-                            phi_1048_ = _e1758;
-                            phi_1050_ = _e1760;
-                            phi_1052_ = _e1762;
-                            phi_1054_ = _e1764;
-                            phi_3378_ = _e671;
+                            let _e1754 = phi_3877_;
+                            let _e1756 = phi_3485_;
+                            let _e1758 = phi_3486_;
+                            let _e1760 = phi_3487_;
+                            let _e1762 = phi_3488_;
+                            let _e1764 = phi_3489_;
+                            phi_3876_ = _e1754;
+                            phi_1063_ = _e1756;
+                            phi_1066_ = _e1758;
+                            phi_1068_ = _e1760;
+                            phi_1070_ = _e1762;
+                            phi_1072_ = _e1764;
+                            phi_3490_ = _e671;
                         } else {
-                            phi_3764_ = _e657;
-                            phi_1045_ = type_42();
-                            phi_1048_ = type_49();
-                            phi_1050_ = u32();
-                            phi_1052_ = bool();
-                            phi_1054_ = u32();
-                            phi_3378_ = false;
+                            phi_3876_ = _e657;
+                            phi_1063_ = type_42();
+                            phi_1066_ = bool();
+                            phi_1068_ = u32();
+                            phi_1070_ = u32();
+                            phi_1072_ = type_49();
+                            phi_3490_ = false;
                         }
-                        let _e1766 = phi_3764_;
-                        let _e1768 = phi_1045_;
-                        let _e1770 = phi_1048_;
-                        let _e1772 = phi_1050_;
-                        let _e1774 = phi_1052_;
-                        let _e1776 = phi_1054_;
-                        let _e1778 = phi_3378_;
+                        let _e1766 = phi_3876_;
+                        let _e1768 = phi_1063_;
+                        let _e1770 = phi_1066_;
+                        let _e1772 = phi_1068_;
+                        let _e1774 = phi_1070_;
+                        let _e1776 = phi_1072_;
+                        let _e1778 = phi_3490_;
                         continue;
                         continuing {
-                            phi_3612_ = _e1766;
-                            phi_1044_ = _e1768;
-                            phi_1047_ = _e1770;
-                            phi_1049_ = _e1772;
-                            phi_1051_ = _e1774;
-                            phi_1053_ = _e1776;
-                            phi_3763_ = _e1766;
+                            phi_3724_ = _e1766;
+                            phi_1062_ = _e1768;
+                            phi_1065_ = _e1770;
+                            phi_1067_ = _e1772;
+                            phi_1069_ = _e1774;
+                            phi_1071_ = _e1776;
+                            phi_3875_ = _e1766;
                             break if !(_e1778);
                         }
                     }
-                    let _e1781 = phi_3763_;
+                    let _e1781 = phi_3875_;
                     if _e1781 {
                         break;
                     }

@@ -92,140 +92,140 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_366_: i32;
-    var phi_367_: i32;
-    var phi_377_: bool;
-    var phi_387_: u32;
-    var phi_388_: u32;
-    var phi_390_: bool;
+    var phi_373_: i32;
+    var phi_374_: i32;
+    var phi_384_: bool;
+    var phi_394_: u32;
     var phi_395_: u32;
-    var phi_407_: i32;
-    var phi_427_: i32;
-    var phi_445_: f32;
-    var phi_451_: f32;
-    var phi_491_: f32;
-    var phi_497_: f32;
-    var phi_549_: f32;
-    var phi_560_: f32;
+    var phi_397_: bool;
+    var phi_402_: u32;
+    var phi_415_: i32;
+    var phi_435_: i32;
+    var phi_453_: f32;
+    var phi_459_: f32;
+    var phi_499_: f32;
+    var phi_505_: f32;
+    var phi_557_: f32;
     var phi_569_: f32;
-    var phi_575_: f32;
-    var phi_615_: f32;
-    var phi_621_: f32;
-    var phi_673_: f32;
-    var phi_684_: f32;
-    var phi_693_: f32;
-    var phi_699_: f32;
-    var phi_739_: f32;
-    var phi_745_: f32;
-    var phi_797_: f32;
-    var phi_808_: f32;
-    var phi_863_: i32;
-    var phi_885_: u32;
-    var phi_886_: u32;
-    var phi_923_: i32;
-    var phi_945_: u32;
-    var phi_946_: u32;
-    var phi_954_: f32;
-    var phi_955_: f32;
-    var phi_3612_: bool;
-    var phi_1044_: type_38;
-    var phi_1047_: type_49;
-    var phi_1049_: u32;
-    var phi_1051_: bool;
-    var phi_1053_: u32;
-    var phi_1064_: bool;
-    var phi_1150_: type_49;
-    var phi_1151_: bool;
-    var phi_1152_: u32;
-    var phi_2881_: u32;
-    var phi_2882_: u32;
-    var phi_2892_: u32;
-    var phi_2894_: u32;
-    var phi_2895_: bool;
-    var phi_2915_: u32;
-    var phi_2916_: u32;
-    var phi_2920_: type_50;
-    var phi_3264_: type_49;
-    var phi_3341_: type_49;
-    var phi_3342_: type_49;
-    var phi_3343_: u32;
-    var phi_3345_: type_49;
-    var phi_3346_: u32;
-    var phi_3347_: bool;
-    var phi_3356_: type_49;
-    var phi_3361_: type_49;
-    var phi_3362_: bool;
-    var phi_1170_: type_38;
-    var phi_1173_: type_7;
-    var phi_1174_: type_7;
-    var phi_1196_: type_7;
-    var phi_1217_: u32;
-    var phi_1306_: array<array<f32, 3>, 3>;
-    var phi_1423_: bool;
-    var phi_1452_: bool;
-    var phi_1853_: f32;
-    var phi_1854_: f32;
-    var phi_1855_: f32;
-    var phi_1856_: f32;
-    var phi_1857_: vec3<f32>;
-    var phi_1858_: vec3<f32>;
-    var phi_1859_: vec3<f32>;
-    var phi_1860_: vec3<f32>;
-    var phi_1891_: bool;
-    var phi_1900_: vec3<f32>;
-    var phi_2065_: f32;
-    var phi_2067_: f32;
-    var phi_2068_: bool;
-    var phi_2088_: f32;
-    var phi_2089_: f32;
-    var phi_2112_: type_24;
-    var phi_2114_: type_24;
-    var phi_2115_: bool;
-    var phi_2119_: type_24;
-    var phi_2120_: type_24;
-    var phi_2121_: type_24;
-    var phi_2122_: bool;
-    var phi_2126_: type_24;
-    var phi_2127_: bool;
-    var phi_2128_: type_24;
-    var phi_2129_: bool;
-    var phi_2130_: bool;
-    var phi_2131_: type_24;
-    var phi_2132_: bool;
-    var phi_2133_: bool;
-    var phi_2141_: type_24;
-    var phi_2142_: bool;
-    var phi_2146_: type_24;
-    var phi_2157_: type_38;
-    var phi_2158_: type_38;
-    var phi_1171_: type_38;
-    var phi_3606_: bool;
+    var phi_578_: f32;
+    var phi_584_: f32;
+    var phi_624_: f32;
+    var phi_630_: f32;
+    var phi_682_: f32;
+    var phi_694_: f32;
+    var phi_703_: f32;
+    var phi_709_: f32;
+    var phi_749_: f32;
+    var phi_755_: f32;
+    var phi_807_: f32;
+    var phi_819_: f32;
+    var phi_874_: i32;
+    var phi_896_: u32;
+    var phi_897_: u32;
+    var phi_934_: i32;
+    var phi_956_: u32;
+    var phi_957_: u32;
+    var phi_965_: f32;
+    var phi_966_: f32;
+    var phi_3724_: bool;
+    var phi_1062_: type_38;
+    var phi_1065_: bool;
+    var phi_1067_: u32;
+    var phi_1069_: u32;
+    var phi_1071_: type_49;
+    var phi_1082_: bool;
+    var phi_1168_: bool;
+    var phi_1169_: u32;
+    var phi_1170_: type_49;
+    var phi_2972_: u32;
+    var phi_2973_: u32;
+    var phi_2983_: u32;
+    var phi_2985_: u32;
+    var phi_2986_: bool;
+    var phi_3006_: u32;
+    var phi_3007_: u32;
+    var phi_3011_: type_50;
+    var phi_3373_: type_49;
+    var phi_3450_: type_49;
+    var phi_3451_: u32;
+    var phi_3452_: type_49;
+    var phi_3454_: u32;
+    var phi_3455_: type_49;
+    var phi_3456_: bool;
+    var phi_3465_: type_49;
+    var phi_3470_: bool;
+    var phi_3472_: type_49;
+    var phi_1188_: type_38;
+    var phi_1191_: type_7;
+    var phi_1192_: type_7;
+    var phi_1214_: type_7;
+    var phi_1235_: u32;
+    var phi_1327_: array<array<f32, 3>, 3>;
+    var phi_1479_: bool;
+    var phi_1508_: bool;
+    var phi_1927_: f32;
+    var phi_1928_: f32;
+    var phi_1929_: f32;
+    var phi_1930_: f32;
+    var phi_1931_: vec3<f32>;
+    var phi_1932_: vec3<f32>;
+    var phi_1933_: vec3<f32>;
+    var phi_1934_: vec3<f32>;
+    var phi_1971_: bool;
+    var phi_1980_: vec3<f32>;
+    var phi_2145_: f32;
+    var phi_2147_: f32;
+    var phi_2148_: bool;
+    var phi_2168_: f32;
+    var phi_2169_: f32;
+    var phi_2192_: type_24;
+    var phi_2194_: type_24;
+    var phi_2195_: bool;
+    var phi_2199_: type_24;
+    var phi_2200_: type_24;
+    var phi_2201_: type_24;
+    var phi_2202_: bool;
+    var phi_2206_: type_24;
+    var phi_2207_: bool;
+    var phi_2208_: type_24;
+    var phi_2209_: bool;
+    var phi_2210_: bool;
+    var phi_2211_: type_24;
+    var phi_2212_: bool;
+    var phi_2213_: bool;
+    var phi_2221_: type_24;
+    var phi_2222_: bool;
+    var phi_2226_: type_24;
+    var phi_2237_: type_38;
+    var phi_2238_: type_38;
+    var phi_1189_: type_38;
+    var phi_3718_: bool;
     var local_10: type_38;
-    var phi_3767_: bool;
-    var phi_3364_: type_38;
-    var phi_3365_: type_49;
-    var phi_3366_: bool;
-    var phi_3367_: u32;
-    var phi_3766_: bool;
-    var phi_3368_: type_38;
-    var phi_3369_: type_49;
-    var phi_3370_: u32;
-    var phi_3371_: bool;
-    var phi_3372_: u32;
-    var phi_3765_: bool;
-    var phi_3373_: type_38;
-    var phi_3374_: type_49;
-    var phi_3375_: u32;
-    var phi_3376_: bool;
-    var phi_3377_: u32;
-    var phi_3764_: bool;
-    var phi_1045_: type_38;
-    var phi_1048_: type_49;
-    var phi_1050_: u32;
-    var phi_1052_: bool;
-    var phi_1054_: u32;
-    var phi_3378_: bool;
-    var phi_3763_: bool;
+    var phi_3879_: bool;
+    var phi_3476_: type_38;
+    var phi_3477_: bool;
+    var phi_3478_: u32;
+    var phi_3479_: type_49;
+    var phi_3878_: bool;
+    var phi_3480_: type_38;
+    var phi_3481_: bool;
+    var phi_3482_: u32;
+    var phi_3483_: u32;
+    var phi_3484_: type_49;
+    var phi_3877_: bool;
+    var phi_3485_: type_38;
+    var phi_3486_: bool;
+    var phi_3487_: u32;
+    var phi_3488_: u32;
+    var phi_3489_: type_49;
+    var phi_3876_: bool;
+    var phi_1063_: type_38;
+    var phi_1066_: bool;
+    var phi_1068_: u32;
+    var phi_1070_: u32;
+    var phi_1072_: type_49;
+    var phi_3490_: bool;
+    var phi_3875_: bool;
     var local_11: type_38;
     var local_12: type_38;
 
@@ -282,211 +282,211 @@ fn function_() {
                     if _e220 {
                         let _e223 = (bitcast<u32>(bitcast<f32>(_e195)) & 2147483647u);
                         if (_e223 >= 8388608u) {
-                            phi_366_ = (bitcast<i32>((_e223 >> bitcast<u32>(23i))) - 127i);
+                            phi_373_ = (bitcast<i32>((_e223 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_366_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e223)), 32u, (_e223 == 0u))));
+                            phi_373_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e223)), 32u, (_e223 == 0u))));
                         }
-                        let _e237 = phi_366_;
-                        phi_367_ = _e237;
+                        let _e237 = phi_373_;
+                        phi_374_ = _e237;
                     } else {
-                        phi_367_ = 0i;
+                        phi_374_ = 0i;
                     }
-                    let _e239 = phi_367_;
+                    let _e239 = phi_374_;
                     let _e240 = (_e156 == _e195);
                     if _e240 {
-                        phi_377_ = true;
+                        phi_384_ = true;
                     } else {
-                        phi_377_ = (_e163 == _e195);
+                        phi_384_ = (_e163 == _e195);
                     }
-                    let _e243 = phi_377_;
+                    let _e243 = phi_384_;
                     let _e244 = select(1u, 0u, _e240);
                     if _e243 {
                         let _e245 = (_e244 + 1u);
-                        phi_387_ = _e245;
-                        phi_388_ = _e245;
-                        phi_390_ = select(true, false, (_e245 == 2u));
+                        phi_394_ = _e245;
+                        phi_395_ = _e245;
+                        phi_397_ = select(true, false, (_e245 == 2u));
                     } else {
-                        phi_387_ = u32();
-                        phi_388_ = 0u;
-                        phi_390_ = true;
-                    }
-                    let _e249 = phi_387_;
-                    let _e251 = phi_388_;
-                    let _e253 = phi_390_;
-                    if _e253 {
-                        phi_395_ = (_e251 + 1u);
-                    } else {
+                        phi_394_ = u32();
                         phi_395_ = 0u;
+                        phi_397_ = true;
                     }
-                    let _e257 = phi_395_;
+                    let _e249 = phi_394_;
+                    let _e251 = phi_395_;
+                    let _e253 = phi_397_;
+                    if _e253 {
+                        phi_402_ = (_e251 + 1u);
+                    } else {
+                        phi_402_ = 0u;
+                    }
+                    let _e257 = phi_402_;
                     let _e258 = select(_e249, _e251, _e253);
                     let _e259 = select(_e244, select(2u, _e244, _e243), _e253);
                     if (_e126 < -126i) {
-                        phi_407_ = -126i;
+                        phi_415_ = -126i;
                     } else {
-                        phi_407_ = select(_e126, 127i, (_e126 > 127i));
+                        phi_415_ = select(_e126, 127i, (_e126 > 127i));
                     }
-                    let _e264 = phi_407_;
+                    let _e264 = phi_415_;
                     let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
                     let _e275 = bitcast<f32>((bitcast<u32>(((_e126 - _e264) + 127i)) << bitcast<u32>(23i)));
                     let _e276 = -(_e239);
                     if (_e276 < -126i) {
-                        phi_427_ = -126i;
+                        phi_435_ = -126i;
                     } else {
-                        phi_427_ = select(_e276, 127i, (_e276 > 127i));
+                        phi_435_ = select(_e276, 127i, (_e276 > 127i));
                     }
-                    let _e281 = phi_427_;
+                    let _e281 = phi_435_;
                     let _e286 = bitcast<f32>((bitcast<u32>((_e281 + 127i)) << bitcast<u32>(23i)));
                     let _e292 = bitcast<f32>((bitcast<u32>(((_e276 - _e281) + 127i)) << bitcast<u32>(23i)));
                     let _e296 = global_4.member[_e144].member;
                     let _e297 = (_e258 == 0u);
                     if _e297 {
-                        phi_445_ = _e296[0];
+                        phi_453_ = _e296[0];
                     } else {
-                        phi_445_ = _e296[1];
+                        phi_453_ = _e296[1];
                     }
-                    let _e301 = phi_445_;
+                    let _e301 = phi_453_;
                     let _e302 = (_e258 == 2u);
                     if _e302 {
-                        phi_451_ = _e296[2];
+                        phi_459_ = _e296[2];
                     } else {
-                        phi_451_ = _e301;
+                        phi_459_ = _e301;
                     }
-                    let _e305 = phi_451_;
+                    let _e305 = phi_459_;
                     let _e306 = bitcast<u32>(_e305);
                     let _e308 = ((_e306 & 2139095040u) != 0u);
                     let _e322 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e306 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e306 & 2147483648u))), _e305, _e308) * _e269) * select(0.00000011920929f, 1f, _e308)) * _e275);
                     let _e323 = global_4.member[_e144].member_2;
                     if _e297 {
-                        phi_491_ = _e323[0];
+                        phi_499_ = _e323[0];
                     } else {
-                        phi_491_ = _e323[1];
+                        phi_499_ = _e323[1];
                     }
-                    let _e327 = phi_491_;
+                    let _e327 = phi_499_;
                     if _e302 {
-                        phi_497_ = _e323[2];
+                        phi_505_ = _e323[2];
                     } else {
-                        phi_497_ = _e327;
+                        phi_505_ = _e327;
                     }
-                    let _e330 = phi_497_;
+                    let _e330 = phi_505_;
                     let _e331 = bitcast<u32>(_e330);
                     let _e333 = ((_e331 & 2139095040u) != 0u);
                     let _e347 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e330, _e333) * _e286) * select(0.00000011920929f, 1f, _e333)) * _e292);
                     let _e351 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e351 {
                         let _e355 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
-                        phi_549_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
+                        phi_557_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
                     } else {
-                        phi_549_ = 0f;
+                        phi_557_ = 0f;
                     }
-                    let _e359 = phi_549_;
+                    let _e359 = phi_557_;
                     let _e360 = (_e322 + _e359);
                     let _e361 = (_e322 - _e359);
                     let _e362 = select(_e347, 0f, _e351);
                     if _e351 {
-                        phi_560_ = 38685626000000000000000000f;
+                        phi_569_ = 38685626000000000000000000f;
                     } else {
-                        phi_560_ = (1f / _e347);
+                        phi_569_ = (1f / _e347);
                     }
-                    let _e365 = phi_560_;
+                    let _e365 = phi_569_;
                     let _e366 = (_e257 == 0u);
                     if _e366 {
-                        phi_569_ = _e296[0];
+                        phi_578_ = _e296[0];
                     } else {
-                        phi_569_ = _e296[1];
+                        phi_578_ = _e296[1];
                     }
-                    let _e370 = phi_569_;
+                    let _e370 = phi_578_;
                     let _e371 = (_e257 == 2u);
                     if _e371 {
-                        phi_575_ = _e296[2];
+                        phi_584_ = _e296[2];
                     } else {
-                        phi_575_ = _e370;
+                        phi_584_ = _e370;
                     }
-                    let _e374 = phi_575_;
+                    let _e374 = phi_584_;
                     let _e375 = bitcast<u32>(_e374);
                     let _e377 = ((_e375 & 2139095040u) != 0u);
                     let _e391 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e375 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e375 & 2147483648u))), _e374, _e377) * _e269) * select(0.00000011920929f, 1f, _e377)) * _e275);
                     if _e366 {
-                        phi_615_ = _e323[0];
+                        phi_624_ = _e323[0];
                     } else {
-                        phi_615_ = _e323[1];
+                        phi_624_ = _e323[1];
                     }
-                    let _e395 = phi_615_;
+                    let _e395 = phi_624_;
                     if _e371 {
-                        phi_621_ = _e323[2];
+                        phi_630_ = _e323[2];
                     } else {
-                        phi_621_ = _e395;
+                        phi_630_ = _e395;
                     }
-                    let _e398 = phi_621_;
+                    let _e398 = phi_630_;
                     let _e399 = bitcast<u32>(_e398);
                     let _e401 = ((_e399 & 2139095040u) != 0u);
                     let _e415 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e399 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e399 & 2147483648u))), _e398, _e401) * _e286) * select(0.00000011920929f, 1f, _e401)) * _e292);
                     let _e419 = (bitcast<f32>((bitcast<u32>(_e415) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e419 {
                         let _e423 = (bitcast<f32>((bitcast<u32>(_e391) & 2147483647u)) * 0.00000011920929f);
-                        phi_673_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
+                        phi_682_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
                     } else {
-                        phi_673_ = 0f;
+                        phi_682_ = 0f;
                     }
-                    let _e427 = phi_673_;
+                    let _e427 = phi_682_;
                     let _e428 = (_e391 + _e427);
                     let _e429 = (_e391 - _e427);
                     let _e430 = select(_e415, 0f, _e419);
                     if _e419 {
-                        phi_684_ = 38685626000000000000000000f;
+                        phi_694_ = 38685626000000000000000000f;
                     } else {
-                        phi_684_ = (1f / _e415);
+                        phi_694_ = (1f / _e415);
                     }
-                    let _e433 = phi_684_;
+                    let _e433 = phi_694_;
                     let _e434 = (_e259 == 0u);
                     if _e434 {
-                        phi_693_ = _e296[0];
+                        phi_703_ = _e296[0];
                     } else {
-                        phi_693_ = _e296[1];
+                        phi_703_ = _e296[1];
                     }
-                    let _e438 = phi_693_;
+                    let _e438 = phi_703_;
                     let _e439 = (_e259 == 2u);
                     if _e439 {
-                        phi_699_ = _e296[2];
+                        phi_709_ = _e296[2];
                     } else {
-                        phi_699_ = _e438;
+                        phi_709_ = _e438;
                     }
-                    let _e442 = phi_699_;
+                    let _e442 = phi_709_;
                     let _e443 = bitcast<u32>(_e442);
                     let _e445 = ((_e443 & 2139095040u) != 0u);
                     let _e459 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e443 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e443 & 2147483648u))), _e442, _e445) * _e269) * select(0.00000011920929f, 1f, _e445)) * _e275);
                     if _e434 {
-                        phi_739_ = _e323[0];
+                        phi_749_ = _e323[0];
                     } else {
-                        phi_739_ = _e323[1];
+                        phi_749_ = _e323[1];
                     }
-                    let _e463 = phi_739_;
+                    let _e463 = phi_749_;
                     if _e439 {
-                        phi_745_ = _e323[2];
+                        phi_755_ = _e323[2];
                     } else {
-                        phi_745_ = _e463;
+                        phi_755_ = _e463;
                     }
-                    let _e466 = phi_745_;
+                    let _e466 = phi_755_;
                     let _e467 = bitcast<u32>(_e466);
                     let _e469 = ((_e467 & 2139095040u) != 0u);
                     let _e483 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * _e286) * select(0.00000011920929f, 1f, _e469)) * _e292);
                     let _e487 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e487 {
                         let _e491 = (bitcast<f32>((bitcast<u32>(_e459) & 2147483647u)) * 0.00000011920929f);
-                        phi_797_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
+                        phi_807_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
                     } else {
-                        phi_797_ = 0f;
+                        phi_807_ = 0f;
                     }
-                    let _e495 = phi_797_;
+                    let _e495 = phi_807_;
                     let _e496 = (_e459 + _e495);
                     let _e497 = (_e459 - _e495);
                     let _e498 = select(_e483, 0f, _e487);
                     if _e487 {
-                        phi_808_ = 38685626000000000000000000f;
+                        phi_819_ = 38685626000000000000000000f;
                     } else {
-                        phi_808_ = (1f / _e483);
+                        phi_819_ = (1f / _e483);
                     }
-                    let _e501 = phi_808_;
+                    let _e501 = phi_819_;
                     let _e504 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
                     let _e507 = bitcast<f32>((bitcast<u32>(_e391) & 2147483647u));
                     let _e509 = select(_e507, _e504, (_e504 > _e507));
@@ -498,55 +498,55 @@ fn function_() {
                         let _e532 = (_e525 == 0u);
                         let _e535 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e525)), 32u, _e532)) - 8i);
                         if (_e528 == 255i) {
-                            phi_863_ = 255i;
+                            phi_874_ = 255i;
                         } else {
-                            phi_863_ = (((_e528 + select(0i, 1i, (_e528 == 0i))) - _e535) + _e515);
+                            phi_874_ = (((_e528 + select(0i, 1i, (_e528 == 0i))) - _e535) + _e515);
                         }
-                        let _e543 = phi_863_;
+                        let _e543 = phi_874_;
                         let _e553 = (_e543 <= 0i);
                         if _e553 {
-                            phi_886_ = u32();
+                            phi_897_ = u32();
                         } else {
                             if _e532 {
-                                phi_885_ = u32();
+                                phi_896_ = u32();
                             } else {
-                                phi_885_ = select(((bitcast<u32>(_e543) << bitcast<u32>(23i)) | ((_e525 << bitcast<u32>(((_e535 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e543 >= 255i));
+                                phi_896_ = select(((bitcast<u32>(_e543) << bitcast<u32>(23i)) | ((_e525 << bitcast<u32>(((_e535 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e543 >= 255i));
                             }
-                            let _e557 = phi_885_;
-                            phi_886_ = _e557;
+                            let _e557 = phi_896_;
+                            phi_897_ = _e557;
                         }
-                        let _e559 = phi_886_;
+                        let _e559 = phi_897_;
                         let _e571 = ((_e216 & 8388607u) | (select(0u, 1u, ((_e216 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e574 = bitcast<i32>((_e216 >> bitcast<u32>(23i)));
                         let _e578 = (_e571 == 0u);
                         let _e581 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e571)), 32u, _e578)) - 8i);
                         if (_e574 == 255i) {
-                            phi_923_ = 255i;
+                            phi_934_ = 255i;
                         } else {
-                            phi_923_ = (((_e574 + select(0i, 1i, (_e574 == 0i))) - _e581) + _e515);
+                            phi_934_ = (((_e574 + select(0i, 1i, (_e574 == 0i))) - _e581) + _e515);
                         }
-                        let _e589 = phi_923_;
+                        let _e589 = phi_934_;
                         let _e599 = (_e589 <= 0i);
                         if _e599 {
-                            phi_946_ = u32();
+                            phi_957_ = u32();
                         } else {
                             if _e578 {
-                                phi_945_ = u32();
+                                phi_956_ = u32();
                             } else {
-                                phi_945_ = select(((bitcast<u32>(_e589) << bitcast<u32>(23i)) | ((_e571 << bitcast<u32>(((_e581 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e589 >= 255i));
+                                phi_956_ = select(((bitcast<u32>(_e589) << bitcast<u32>(23i)) | ((_e571 << bitcast<u32>(((_e581 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e589 >= 255i));
                             }
-                            let _e603 = phi_945_;
-                            phi_946_ = _e603;
+                            let _e603 = phi_956_;
+                            phi_957_ = _e603;
                         }
-                        let _e605 = phi_946_;
-                        phi_954_ = bitcast<f32>(((_e215 & 2147483648u) | select(_e605, 0u, select(_e578, true, _e599))));
-                        phi_955_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e559, 0u, select(_e532, true, _e553))));
+                        let _e605 = phi_957_;
+                        phi_965_ = bitcast<f32>(((_e215 & 2147483648u) | select(_e605, 0u, select(_e578, true, _e599))));
+                        phi_966_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e559, 0u, select(_e532, true, _e553))));
                     } else {
-                        phi_954_ = 0f;
-                        phi_955_ = 1f;
+                        phi_965_ = 0f;
+                        phi_966_ = 1f;
                     }
-                    let _e611 = phi_954_;
-                    let _e613 = phi_955_;
+                    let _e611 = phi_965_;
+                    let _e613 = phi_966_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -591,197 +591,197 @@ fn function_() {
                         break;
                     }
                     let _e645 = local[_e629];
-                    phi_3612_ = false;
-                    phi_1044_ = type_38(_e611, false);
-                    phi_1047_ = type_49(type_28(vec4<f32>((f32(_e620) * _e138), (f32(_e626) * _e138), (f32(_e632) * _e138), 0f), vec4<f32>((f32(_e637) * _e138), (f32(_e641) * _e138), (f32(_e645) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
-                    phi_1049_ = ((3u * _e88) + 1u);
-                    phi_1051_ = (_e613 <= _e611);
-                    phi_1053_ = 0u;
+                    phi_3724_ = false;
+                    phi_1062_ = type_38(_e611, false);
+                    phi_1065_ = (_e613 <= _e611);
+                    phi_1067_ = ((3u * _e88) + 1u);
+                    phi_1069_ = 0u;
+                    phi_1071_ = type_49(type_28(vec4<f32>((f32(_e620) * _e138), (f32(_e626) * _e138), (f32(_e632) * _e138), 0f), vec4<f32>((f32(_e637) * _e138), (f32(_e641) * _e138), (f32(_e645) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
                     loop {
-                        let _e655 = phi_3612_;
-                        let _e657 = phi_1044_;
-                        let _e659 = phi_1047_;
-                        let _e661 = phi_1049_;
-                        let _e663 = phi_1051_;
-                        let _e665 = phi_1053_;
+                        let _e655 = phi_3724_;
+                        let _e657 = phi_1062_;
+                        let _e659 = phi_1065_;
+                        let _e661 = phi_1067_;
+                        let _e663 = phi_1069_;
+                        let _e665 = phi_1071_;
                         local_11 = _e657;
-                        if _e663 {
-                            phi_1064_ = true;
+                        if _e659 {
+                            phi_1082_ = true;
                         } else {
-                            phi_1064_ = (_e665 > 0u);
+                            phi_1082_ = (_e663 > 0u);
                         }
-                        let _e668 = phi_1064_;
+                        let _e668 = phi_1082_;
                         if _e668 {
                             let _e669 = (_e661 > 0u);
                             if _e669 {
-                                if _e663 {
-                                    phi_1150_ = _e659;
-                                    phi_1151_ = _e663;
-                                    phi_1152_ = _e665;
+                                if _e659 {
+                                    phi_1168_ = _e659;
+                                    phi_1169_ = _e663;
+                                    phi_1170_ = _e665;
                                 } else {
-                                    let _e670 = (_e665 - 1u);
+                                    let _e670 = (_e663 - 1u);
                                     let _e671 = (_e670 % 128u);
                                     let _e672 = (_e671 < 128u);
                                     if _e672 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e674 = local_7[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e676 = local_6[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e678 = local_5[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e680 = local_4[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e682 = local_3[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e684 = local_2[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e689 = local_8[_e671];
                                     if _e672 {
                                     } else {
-                                        phi_3763_ = true;
+                                        phi_3875_ = true;
                                         break;
                                     }
                                     let _e692 = local_9[_e671];
-                                    phi_1150_ = type_49(type_28(vec4<f32>(_e674, _e676, _e678, 0f), vec4<f32>(_e680, _e682, _e684, 0f)), _e689);
-                                    phi_1151_ = (_e692 <= _e657.member);
-                                    phi_1152_ = _e670;
+                                    phi_1168_ = (_e692 <= _e657.member);
+                                    phi_1169_ = _e670;
+                                    phi_1170_ = type_49(type_28(vec4<f32>(_e674, _e676, _e678, 0f), vec4<f32>(_e680, _e682, _e684, 0f)), _e689);
                                 }
-                                let _e696 = phi_1150_;
-                                let _e698 = phi_1151_;
-                                let _e700 = phi_1152_;
-                                if _e698 {
-                                    if ((_e696.member_1 & 2147483648u) != 0u) {
-                                        phi_1170_ = _e657;
-                                        phi_1173_ = type_7(0u, ((_e696.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e696 = phi_1168_;
+                                let _e698 = phi_1169_;
+                                let _e700 = phi_1170_;
+                                if _e696 {
+                                    if ((_e700.member_1 & 2147483648u) != 0u) {
+                                        phi_1188_ = _e657;
+                                        phi_1191_ = type_7(0u, ((_e700.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1168 = phi_1170_;
-                                            let _e1170 = phi_1173_;
+                                            let _e1168 = phi_1188_;
+                                            let _e1170 = phi_1191_;
                                             local_10 = _e1168;
                                             local_12 = _e1168;
                                             if (_e1170.member < _e1170.member_1) {
-                                                phi_1174_ = type_7((_e1170.member + 1u), _e1170.member_1);
-                                                phi_1196_ = type_7(1u, _e1170.member);
+                                                phi_1192_ = type_7((_e1170.member + 1u), _e1170.member_1);
+                                                phi_1214_ = type_7(1u, _e1170.member);
                                             } else {
-                                                phi_1174_ = _e1170;
-                                                phi_1196_ = type_7(0u, type_7().member_1);
+                                                phi_1192_ = _e1170;
+                                                phi_1214_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1183 = phi_1174_;
-                                            let _e1185 = phi_1196_;
+                                            let _e1183 = phi_1192_;
+                                            let _e1185 = phi_1214_;
                                             let _e1189 = (bitcast<i32>(_e1185.member) != 0i);
                                             if _e1189 {
-                                                let _e1190 = ((_e696.member_1 & 268435455u) + _e1185.member_1);
+                                                let _e1190 = ((_e700.member_1 & 268435455u) + _e1185.member_1);
                                                 let _e1191 = (_e1190 < _e90);
                                                 if _e1191 {
                                                     if _e1191 {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1195 = global_2.member[_e1190].member_1;
-                                                    phi_1217_ = _e1195;
+                                                    phi_1235_ = _e1195;
                                                 } else {
-                                                    phi_1217_ = 4294967295u;
+                                                    phi_1235_ = 4294967295u;
                                                 }
-                                                let _e1197 = phi_1217_;
+                                                let _e1197 = phi_1235_;
                                                 if (_e1190 >= _e90) {
-                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1191 {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     if (_e617 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1204 = global_2.member[_e1190].member[_e617];
                                                     if (_e623 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1210 = global_2.member[_e1190].member[_e623];
                                                     if (_e629 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1216 = global_2.member[_e1190].member[_e629];
                                                     let _e1218 = (3u + _e617);
                                                     if (_e1218 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1224 = global_2.member[_e1190].member[_e1218];
                                                     let _e1225 = (3u + _e623);
                                                     if (_e1225 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1231 = global_2.member[_e1190].member[_e1225];
                                                     let _e1232 = (3u + _e629);
                                                     if (_e1232 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1238 = global_2.member[_e1190].member[_e1232];
                                                     let _e1240 = (6u + _e617);
                                                     if (_e1240 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1246 = global_2.member[_e1190].member[_e1240];
                                                     let _e1247 = (6u + _e623);
                                                     if (_e1247 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1253 = global_2.member[_e1190].member[_e1247];
                                                     let _e1254 = (6u + _e629);
                                                     if (_e1254 < 9u) {
                                                     } else {
-                                                        phi_3606_ = true;
+                                                        phi_3718_ = true;
                                                         break;
                                                     }
                                                     let _e1260 = global_2.member[_e1190].member[_e1254];
-                                                    phi_1306_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1204, _e1210, _e1216), array<f32, 3>(_e1224, _e1231, _e1238), array<f32, 3>(_e1246, _e1253, _e1260));
+                                                    phi_1327_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1204, _e1210, _e1216), array<f32, 3>(_e1224, _e1231, _e1238), array<f32, 3>(_e1246, _e1253, _e1260));
                                                 }
-                                                let _e1264 = phi_1306_;
+                                                let _e1264 = phi_1327_;
                                                 let _e1272 = (_e1264[0][2] - _e459);
                                                 let _e1275 = (((_e1264[0][0] - _e322) * _e498) - (_e1272 * _e362));
                                                 let _e1278 = (((_e1264[0][1] - _e391) * _e498) - (_e1272 * _e430));
@@ -808,34 +808,34 @@ fn function_() {
                                                     let _e1334 = select(0f, _e1332, (_e1332 > 0f));
                                                     let _e1336 = ((_e1326 + _e1330) + _e1334);
                                                     if (_e1336 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2131_ = type_24();
-                                                        phi_2132_ = true;
-                                                        phi_2133_ = false;
+                                                        phi_2211_ = type_24();
+                                                        phi_2212_ = true;
+                                                        phi_2213_ = false;
                                                     } else {
                                                         let _e1339 = select(_e1288, _e1275, (_e1275 < _e1288));
                                                         if (select(_e1301, _e1339, (_e1339 < _e1301)) > 0f) {
-                                                            phi_1423_ = true;
+                                                            phi_1479_ = true;
                                                         } else {
                                                             let _e1344 = select(_e1288, _e1275, (_e1275 > _e1288));
-                                                            phi_1423_ = (select(_e1301, _e1344, (_e1344 > _e1301)) < 0f);
+                                                            phi_1479_ = (select(_e1301, _e1344, (_e1344 > _e1301)) < 0f);
                                                         }
-                                                        let _e1349 = phi_1423_;
+                                                        let _e1349 = phi_1479_;
                                                         if _e1349 {
-                                                            phi_2128_ = type_24();
-                                                            phi_2129_ = true;
-                                                            phi_2130_ = false;
+                                                            phi_2208_ = type_24();
+                                                            phi_2209_ = true;
+                                                            phi_2210_ = false;
                                                         } else {
                                                             let _e1351 = select(_e1291, _e1278, (_e1278 < _e1291));
                                                             if (select(_e1304, _e1351, (_e1351 < _e1304)) > 0f) {
-                                                                phi_1452_ = true;
+                                                                phi_1508_ = true;
                                                             } else {
                                                                 let _e1356 = select(_e1291, _e1278, (_e1278 > _e1291));
-                                                                phi_1452_ = (select(_e1304, _e1356, (_e1356 > _e1304)) < 0f);
+                                                                phi_1508_ = (select(_e1304, _e1356, (_e1356 > _e1304)) < 0f);
                                                             }
-                                                            let _e1361 = phi_1452_;
+                                                            let _e1361 = phi_1508_;
                                                             if _e1361 {
-                                                                phi_2126_ = type_24();
-                                                                phi_2127_ = false;
+                                                                phi_2206_ = type_24();
+                                                                phi_2207_ = false;
                                                             } else {
                                                                 let _e1363 = select(_e1264[1][0], _e1264[0][0], (_e1264[0][0] < _e1264[1][0]));
                                                                 let _e1367 = select(_e1264[1][0], _e1264[0][0], (_e1264[0][0] > _e1264[1][0]));
@@ -862,12 +862,12 @@ fn function_() {
                                                                 let _e1418 = -(_e1399);
                                                                 let _e1424 = select(_e613, _e1409, (_e1409 > _e613));
                                                                 if (_e1424 > (_e1417 + (select(_e1418, _e1401, (_e1401 > _e1418)) * 0.0000019073523f))) {
-                                                                    phi_2121_ = type_24();
-                                                                    phi_2122_ = true;
+                                                                    phi_2201_ = type_24();
+                                                                    phi_2202_ = true;
                                                                 } else {
                                                                     let _e1426 = (_e1424 > _e1168.member);
                                                                     if _e1426 {
-                                                                        phi_2120_ = type_24();
+                                                                        phi_2200_ = type_24();
                                                                     } else {
                                                                         let _e1427 = vec3<f32>(_e1264[0][0], _e1264[0][1], _e1264[0][2]);
                                                                         let _e1428 = vec3<f32>(_e1264[1][0], _e1264[1][1], _e1264[1][2]);
@@ -902,49 +902,49 @@ fn function_() {
                                                                         let _e1482 = select(_e1467, _e1454, (_e1454 > _e1467));
                                                                         let _e1484 = select(_e1480, _e1482, (_e1482 > _e1480));
                                                                         if (_e1454 == _e1484) {
-                                                                            phi_1853_ = _e1291;
-                                                                            phi_1854_ = _e1288;
-                                                                            phi_1855_ = _e1278;
-                                                                            phi_1856_ = _e1275;
-                                                                            phi_1857_ = _e1427;
-                                                                            phi_1858_ = _e1441;
-                                                                            phi_1859_ = _e1437;
-                                                                            phi_1860_ = _e1433;
+                                                                            phi_1927_ = _e1291;
+                                                                            phi_1928_ = _e1288;
+                                                                            phi_1929_ = _e1278;
+                                                                            phi_1930_ = _e1275;
+                                                                            phi_1931_ = _e1427;
+                                                                            phi_1932_ = _e1441;
+                                                                            phi_1933_ = _e1437;
+                                                                            phi_1934_ = _e1433;
                                                                         } else {
                                                                             let _e1486 = (_e1467 == _e1484);
                                                                             let _e1491 = vec3(_e1486);
-                                                                            phi_1853_ = select(_e1278, _e1304, _e1486);
-                                                                            phi_1854_ = select(_e1275, _e1301, _e1486);
-                                                                            phi_1855_ = select(_e1304, _e1291, _e1486);
-                                                                            phi_1856_ = select(_e1301, _e1288, _e1486);
-                                                                            phi_1857_ = select(_e1429, _e1428, _e1491);
-                                                                            phi_1858_ = select(_e1437, _e1433, _e1491);
-                                                                            phi_1859_ = select(_e1433, _e1441, _e1491);
-                                                                            phi_1860_ = select(_e1441, _e1437, _e1491);
+                                                                            phi_1927_ = select(_e1278, _e1304, _e1486);
+                                                                            phi_1928_ = select(_e1275, _e1301, _e1486);
+                                                                            phi_1929_ = select(_e1304, _e1291, _e1486);
+                                                                            phi_1930_ = select(_e1301, _e1288, _e1486);
+                                                                            phi_1931_ = select(_e1429, _e1428, _e1491);
+                                                                            phi_1932_ = select(_e1437, _e1433, _e1491);
+                                                                            phi_1933_ = select(_e1433, _e1441, _e1491);
+                                                                            phi_1934_ = select(_e1441, _e1437, _e1491);
                                                                         }
-                                                                        let _e1497 = phi_1853_;
-                                                                        let _e1499 = phi_1854_;
-                                                                        let _e1501 = phi_1855_;
-                                                                        let _e1503 = phi_1856_;
-                                                                        let _e1505 = phi_1857_;
-                                                                        let _e1507 = phi_1858_;
-                                                                        let _e1509 = phi_1859_;
-                                                                        let _e1511 = phi_1860_;
+                                                                        let _e1497 = phi_1927_;
+                                                                        let _e1499 = phi_1928_;
+                                                                        let _e1501 = phi_1929_;
+                                                                        let _e1503 = phi_1930_;
+                                                                        let _e1505 = phi_1931_;
+                                                                        let _e1507 = phi_1932_;
+                                                                        let _e1509 = phi_1933_;
+                                                                        let _e1511 = phi_1934_;
                                                                         let _e1518 = ((_e1509.y * _e1507.z) - (_e1507.y * _e1509.z));
                                                                         let _e1523 = ((_e1509.z * _e1507.x) - (_e1507.z * _e1509.x));
                                                                         let _e1526 = ((_e1509.x * _e1507.y) - (_e1507.x * _e1509.y));
                                                                         if (_e1326 >= _e1330) {
-                                                                            phi_1891_ = select(true, false, (_e1326 >= _e1334));
+                                                                            phi_1971_ = select(true, false, (_e1326 >= _e1334));
                                                                         } else {
-                                                                            phi_1891_ = true;
+                                                                            phi_1971_ = true;
                                                                         }
-                                                                        let _e1531 = phi_1891_;
+                                                                        let _e1531 = phi_1971_;
                                                                         if _e1531 {
-                                                                            phi_1900_ = select(_e1429, _e1428, vec3((_e1330 >= _e1334)));
+                                                                            phi_1980_ = select(_e1429, _e1428, vec3((_e1330 >= _e1334)));
                                                                         } else {
-                                                                            phi_1900_ = _e1427;
+                                                                            phi_1980_ = _e1427;
                                                                         }
-                                                                        let _e1536 = phi_1900_;
+                                                                        let _e1536 = phi_1980_;
                                                                         let _e1547 = (((_e1518 * (_e1536.x - _e322)) + (_e1523 * (_e1536.y - _e391))) + (_e1526 * (_e1536.z - _e459)));
                                                                         let _e1552 = (((_e1518 * _e362) + (_e1523 * _e430)) + (_e1526 * _e498));
                                                                         let _e1553 = (_e1499 - _e1503);
@@ -976,192 +976,192 @@ fn function_() {
                                                                             let _e1650 = bitcast<f32>((bitcast<u32>(_e1507.z) & 2147483647u));
                                                                             let _e1654 = (bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) > ((0.0000038146973f * select(_e1636, _e1633, (_e1633 > _e1636))) * select(_e1650, _e1647, (_e1647 > _e1650))));
                                                                             if _e1654 {
-                                                                                phi_2065_ = (_e1547 / _e1552);
+                                                                                phi_2145_ = (_e1547 / _e1552);
                                                                             } else {
-                                                                                phi_2065_ = f32();
+                                                                                phi_2145_ = f32();
                                                                             }
-                                                                            let _e1657 = phi_2065_;
-                                                                            phi_2067_ = _e1657;
-                                                                            phi_2068_ = select(true, false, _e1654);
+                                                                            let _e1657 = phi_2145_;
+                                                                            phi_2147_ = _e1657;
+                                                                            phi_2148_ = select(true, false, _e1654);
                                                                         } else {
-                                                                            phi_2067_ = f32();
-                                                                            phi_2068_ = true;
+                                                                            phi_2147_ = f32();
+                                                                            phi_2148_ = true;
                                                                         }
-                                                                        let _e1660 = phi_2067_;
-                                                                        let _e1662 = phi_2068_;
+                                                                        let _e1660 = phi_2147_;
+                                                                        let _e1662 = phi_2148_;
                                                                         if _e1662 {
                                                                             let _e1670 = (((_e1518 * (_e1579 - (_e362 * _e1582))) + (_e1523 * (_e1580 - (_e430 * _e1582)))) / _e1552);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u)) <= _e1484) {
-                                                                                phi_2088_ = (_e1582 + _e1670);
+                                                                                phi_2168_ = (_e1582 + _e1670);
                                                                             } else {
-                                                                                phi_2088_ = _e1582;
+                                                                                phi_2168_ = _e1582;
                                                                             }
-                                                                            let _e1677 = phi_2088_;
-                                                                            phi_2089_ = _e1677;
+                                                                            let _e1677 = phi_2168_;
+                                                                            phi_2169_ = _e1677;
                                                                         } else {
-                                                                            phi_2089_ = _e1660;
+                                                                            phi_2169_ = _e1660;
                                                                         }
-                                                                        let _e1679 = phi_2089_;
+                                                                        let _e1679 = phi_2169_;
                                                                         let _e1681 = select(_e1417, _e1679, (_e1679 < _e1417));
                                                                         let _e1683 = select(_e1409, _e1681, (_e1681 > _e1409));
                                                                         if (_e1683 >= _e613) {
                                                                             let _e1685 = (_e1683 <= _e1168.member);
                                                                             if _e1685 {
                                                                                 let _e1686 = (1f / _e1336);
-                                                                                phi_2112_ = type_24(_e1683, (_e1330 * _e1686), (_e1334 * _e1686), _e1197);
+                                                                                phi_2192_ = type_24(_e1683, (_e1330 * _e1686), (_e1334 * _e1686), _e1197);
                                                                             } else {
-                                                                                phi_2112_ = type_24();
+                                                                                phi_2192_ = type_24();
                                                                             }
-                                                                            let _e1691 = phi_2112_;
-                                                                            phi_2114_ = _e1691;
-                                                                            phi_2115_ = select(true, false, _e1685);
+                                                                            let _e1691 = phi_2192_;
+                                                                            phi_2194_ = _e1691;
+                                                                            phi_2195_ = select(true, false, _e1685);
                                                                         } else {
-                                                                            phi_2114_ = type_24();
-                                                                            phi_2115_ = true;
+                                                                            phi_2194_ = type_24();
+                                                                            phi_2195_ = true;
                                                                         }
-                                                                        let _e1694 = phi_2114_;
-                                                                        let _e1696 = phi_2115_;
+                                                                        let _e1694 = phi_2194_;
+                                                                        let _e1696 = phi_2195_;
                                                                         if _e1696 {
-                                                                            phi_2119_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2199_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2119_ = _e1694;
+                                                                            phi_2199_ = _e1694;
                                                                         }
-                                                                        let _e1698 = phi_2119_;
-                                                                        phi_2120_ = _e1698;
+                                                                        let _e1698 = phi_2199_;
+                                                                        phi_2200_ = _e1698;
                                                                     }
-                                                                    let _e1700 = phi_2120_;
-                                                                    phi_2121_ = _e1700;
-                                                                    phi_2122_ = _e1426;
+                                                                    let _e1700 = phi_2200_;
+                                                                    phi_2201_ = _e1700;
+                                                                    phi_2202_ = _e1426;
                                                                 }
-                                                                let _e1702 = phi_2121_;
-                                                                let _e1704 = phi_2122_;
-                                                                phi_2126_ = _e1702;
-                                                                phi_2127_ = _e1704;
+                                                                let _e1702 = phi_2201_;
+                                                                let _e1704 = phi_2202_;
+                                                                phi_2206_ = _e1702;
+                                                                phi_2207_ = _e1704;
                                                             }
-                                                            let _e1706 = phi_2126_;
-                                                            let _e1708 = phi_2127_;
-                                                            phi_2128_ = _e1706;
-                                                            phi_2129_ = _e1361;
-                                                            phi_2130_ = _e1708;
+                                                            let _e1706 = phi_2206_;
+                                                            let _e1708 = phi_2207_;
+                                                            phi_2208_ = _e1706;
+                                                            phi_2209_ = _e1361;
+                                                            phi_2210_ = _e1708;
                                                         }
-                                                        let _e1710 = phi_2128_;
-                                                        let _e1712 = phi_2129_;
-                                                        let _e1714 = phi_2130_;
-                                                        phi_2131_ = _e1710;
-                                                        phi_2132_ = _e1712;
-                                                        phi_2133_ = _e1714;
+                                                        let _e1710 = phi_2208_;
+                                                        let _e1712 = phi_2209_;
+                                                        let _e1714 = phi_2210_;
+                                                        phi_2211_ = _e1710;
+                                                        phi_2212_ = _e1712;
+                                                        phi_2213_ = _e1714;
                                                     }
-                                                    let _e1716 = phi_2131_;
-                                                    let _e1718 = phi_2132_;
-                                                    let _e1720 = phi_2133_;
-                                                    phi_2141_ = _e1716;
-                                                    phi_2142_ = select(_e1720, true, _e1718);
+                                                    let _e1716 = phi_2211_;
+                                                    let _e1718 = phi_2212_;
+                                                    let _e1720 = phi_2213_;
+                                                    phi_2221_ = _e1716;
+                                                    phi_2222_ = select(_e1720, true, _e1718);
                                                 } else {
-                                                    phi_2141_ = type_24();
-                                                    phi_2142_ = true;
+                                                    phi_2221_ = type_24();
+                                                    phi_2222_ = true;
                                                 }
-                                                let _e1723 = phi_2141_;
-                                                let _e1725 = phi_2142_;
+                                                let _e1723 = phi_2221_;
+                                                let _e1725 = phi_2222_;
                                                 if _e1725 {
-                                                    phi_2146_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2226_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2146_ = _e1723;
+                                                    phi_2226_ = _e1723;
                                                 }
-                                                let _e1727 = phi_2146_;
+                                                let _e1727 = phi_2226_;
                                                 if (_e1727.member_3 != 4294967295u) {
                                                     if (_e1197 != 4294967295u) {
-                                                        phi_2157_ = type_38(_e1168.member, true);
+                                                        phi_2237_ = type_38(_e1168.member, true);
                                                     } else {
-                                                        phi_2157_ = _e1168;
+                                                        phi_2237_ = _e1168;
                                                     }
-                                                    let _e1735 = phi_2157_;
-                                                    phi_2158_ = _e1735;
+                                                    let _e1735 = phi_2237_;
+                                                    phi_2238_ = _e1735;
                                                 } else {
-                                                    phi_2158_ = _e1168;
+                                                    phi_2238_ = _e1168;
                                                 }
-                                                let _e1737 = phi_2158_;
-                                                phi_1171_ = _e1737;
+                                                let _e1737 = phi_2238_;
+                                                phi_1189_ = _e1737;
                                             } else {
-                                                phi_1171_ = type_38();
+                                                phi_1189_ = type_38();
                                             }
-                                            let _e1739 = phi_1171_;
+                                            let _e1739 = phi_1189_;
                                             continue;
                                             continuing {
-                                                phi_1170_ = _e1739;
-                                                phi_1173_ = _e1183;
-                                                phi_3606_ = _e655;
+                                                phi_1188_ = _e1739;
+                                                phi_1191_ = _e1183;
+                                                phi_3718_ = _e655;
                                                 break if !(_e1189);
                                             }
                                         }
-                                        let _e1742 = phi_3606_;
-                                        phi_3763_ = _e1742;
+                                        let _e1742 = phi_3718_;
+                                        phi_3875_ = _e1742;
                                         if _e1742 {
                                             break;
                                         }
                                         let _e1744 = local_10;
-                                        phi_3767_ = _e1742;
+                                        phi_3879_ = _e1742;
                                         let _e1916 = local_12;
-                                        phi_3364_ = _e1916;
-                                        phi_3365_ = _e696;
-                                        phi_3366_ = false;
-                                        phi_3367_ = select(_e700, 0u, _e1744.member_1);
+                                        phi_3476_ = _e1916;
+                                        phi_3477_ = false;
+                                        phi_3478_ = select(_e698, 0u, _e1744.member_1);
+                                        phi_3479_ = _e700;
                                     } else {
-                                        if (_e696.member_1 >= _e88) {
-                                            phi_2920_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e700.member_1 >= _e88) {
+                                            phi_3011_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e696.member_1 < _e88) {
+                                            if (_e700.member_1 < _e88) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
                                             let _e711 = (_e258 * 2u);
                                             let _e713 = ((1u + _e711) % 7u);
                                             if (_e713 < 7u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e718 = global_6.member[_e696.member_1][_e713];
+                                            let _e718 = global_6.member[_e700.member_1][_e713];
                                             let _e720 = ((_e711 + 2u) % 7u);
                                             if (_e720 < 7u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e725 = global_6.member[_e696.member_1][_e720];
+                                            let _e725 = global_6.member[_e700.member_1][_e720];
                                             let _e726 = (_e257 * 2u);
                                             let _e728 = ((1u + _e726) % 7u);
                                             if (_e728 < 7u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e733 = global_6.member[_e696.member_1][_e728];
+                                            let _e733 = global_6.member[_e700.member_1][_e728];
                                             let _e735 = ((_e726 + 2u) % 7u);
                                             if (_e735 < 7u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e740 = global_6.member[_e696.member_1][_e735];
+                                            let _e740 = global_6.member[_e700.member_1][_e735];
                                             let _e741 = (_e259 * 2u);
                                             let _e743 = ((1u + _e741) % 7u);
                                             if (_e743 < 7u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e748 = global_6.member[_e696.member_1][_e743];
+                                            let _e748 = global_6.member[_e700.member_1][_e743];
                                             let _e750 = ((_e741 + 2u) % 7u);
                                             if (_e750 < 7u) {
                                             } else {
-                                                phi_3763_ = true;
+                                                phi_3875_ = true;
                                                 break;
                                             }
-                                            let _e755 = global_6.member[_e696.member_1][_e750];
-                                            let _e778 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.x - _e696.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e779 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.y - _e696.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e780 = (bitcast<f32>((bitcast<u32>((_e696.member.member_1.z - _e696.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e755 = global_6.member[_e700.member_1][_e750];
+                                            let _e778 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e779 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e780 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.0000009536743f);
                                             let _e782 = select(_e138, _e778, (_e778 > _e138));
                                             let _e784 = select(_e138, _e779, (_e779 > _e138));
                                             let _e786 = select(_e138, _e780, (_e780 > _e138));
@@ -1189,10 +1189,10 @@ fn function_() {
                                             let _e886 = bitcast<f32>((_e856 & bitcast<u32>(~(_e861))));
                                             let _e890 = bitcast<f32>((_e865 & bitcast<u32>(~(_e870))));
                                             let _e894 = bitcast<f32>((_e874 & bitcast<u32>(~(_e879))));
-                                            let _e924 = global_6.member[_e696.member_1][0u];
-                                            let _e928 = global_6.member[_e696.member_1][2u];
-                                            let _e932 = global_6.member[_e696.member_1][4u];
-                                            let _e936 = global_6.member[_e696.member_1][6u];
+                                            let _e924 = global_6.member[_e700.member_1][0u];
+                                            let _e928 = global_6.member[_e700.member_1][2u];
+                                            let _e932 = global_6.member[_e700.member_1][4u];
+                                            let _e936 = global_6.member[_e700.member_1][6u];
                                             let _e948 = (((_e928 >> bitcast<u32>(22i)) | ((_e932 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e936 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
                                             let _e949 = (_e924 & 268435455u);
                                             let _e950 = (_e948 & 268435455u);
@@ -1200,48 +1200,48 @@ fn function_() {
                                             let _e961 = ((_e924 >> bitcast<u32>(31i)) | (((_e948 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
                                             let _e962 = (_e953 != 0u);
                                             if (_e953 == 0u) {
-                                                phi_2882_ = _e949;
+                                                phi_2973_ = _e949;
                                             } else {
                                                 if (_e953 == 7u) {
-                                                    phi_2881_ = 2147483648u;
+                                                    phi_2972_ = 2147483648u;
                                                 } else {
-                                                    phi_2881_ = ((2147483648u | (_e953 << bitcast<u32>(28u))) | (_e950 & 268435455u));
+                                                    phi_2972_ = ((2147483648u | (_e953 << bitcast<u32>(28u))) | (_e950 & 268435455u));
                                                 }
-                                                let _e971 = phi_2881_;
-                                                phi_2882_ = _e971;
+                                                let _e971 = phi_2972_;
+                                                phi_2973_ = _e971;
                                             }
-                                            let _e973 = phi_2882_;
+                                            let _e973 = phi_2973_;
                                             if _e962 {
                                                 let _e974 = (_e953 != 7u);
                                                 if _e974 {
-                                                    phi_2892_ = (_e950 + _e953);
+                                                    phi_2983_ = (_e950 + _e953);
                                                 } else {
-                                                    phi_2892_ = u32();
+                                                    phi_2983_ = u32();
                                                 }
-                                                let _e977 = phi_2892_;
-                                                phi_2894_ = _e977;
-                                                phi_2895_ = select(true, false, _e974);
+                                                let _e977 = phi_2983_;
+                                                phi_2985_ = _e977;
+                                                phi_2986_ = select(true, false, _e974);
                                             } else {
-                                                phi_2894_ = u32();
-                                                phi_2895_ = true;
+                                                phi_2985_ = u32();
+                                                phi_2986_ = true;
                                             }
-                                            let _e980 = phi_2894_;
-                                            let _e982 = phi_2895_;
+                                            let _e980 = phi_2985_;
+                                            let _e982 = phi_2986_;
                                             if (_e961 == 0u) {
-                                                phi_2916_ = (_e949 + select(0u, 1u, !(_e962)));
+                                                phi_3007_ = (_e949 + select(0u, 1u, !(_e962)));
                                             } else {
                                                 if (_e961 == 7u) {
-                                                    phi_2915_ = 2147483648u;
+                                                    phi_3006_ = 2147483648u;
                                                 } else {
-                                                    phi_2915_ = ((2147483648u | (_e961 << bitcast<u32>(28u))) | (select(_e980, _e950, _e982) & 268435455u));
+                                                    phi_3006_ = ((2147483648u | (_e961 << bitcast<u32>(28u))) | (select(_e980, _e950, _e982) & 268435455u));
                                                 }
-                                                let _e995 = phi_2915_;
-                                                phi_2916_ = _e995;
+                                                let _e995 = phi_3006_;
+                                                phi_3007_ = _e995;
                                             }
-                                            let _e997 = phi_2916_;
-                                            phi_2920_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e696.member.member.x + _e825), (_e696.member.member.x + _e847), (_e696.member.member_1.x - _e864), (_e696.member.member_1.x - _e886)), vec4<f32>((_e696.member.member.y + _e834), (_e696.member.member.y + _e851), (_e696.member.member_1.y - _e873), (_e696.member.member_1.y - _e890)), vec4<f32>((_e696.member.member.z + _e843), (_e696.member.member.z + _e855), (_e696.member.member_1.z - _e882), (_e696.member.member_1.z - _e894))), type_49(type_28((_e696.member.member + vec4<f32>(_e825, _e834, _e843, 0f)), (_e696.member.member_1 - vec4<f32>(_e864, _e873, _e882, 0f))), _e973), type_49(type_28((_e696.member.member + vec4<f32>(_e847, _e851, _e855, 0f)), (_e696.member.member_1 - vec4<f32>(_e886, _e890, _e894, 0f))), _e997));
+                                            let _e997 = phi_3007_;
+                                            phi_3011_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e700.member.member.x + _e825), (_e700.member.member.x + _e847), (_e700.member.member_1.x - _e864), (_e700.member.member_1.x - _e886)), vec4<f32>((_e700.member.member.y + _e834), (_e700.member.member.y + _e851), (_e700.member.member_1.y - _e873), (_e700.member.member_1.y - _e890)), vec4<f32>((_e700.member.member.z + _e843), (_e700.member.member.z + _e855), (_e700.member.member_1.z - _e882), (_e700.member.member_1.z - _e894))), type_49(type_28((_e700.member.member + vec4<f32>(_e825, _e834, _e843, 0f)), (_e700.member.member_1 - vec4<f32>(_e864, _e873, _e882, 0f))), _e973), type_49(type_28((_e700.member.member + vec4<f32>(_e847, _e851, _e855, 0f)), (_e700.member.member_1 - vec4<f32>(_e886, _e890, _e894, 0f))), _e997));
                                         }
-                                        let _e1002 = phi_2920_;
+                                        let _e1002 = phi_3011_;
                                         let _e1014 = ((_e1002.member[0].x - _e360) * _e365);
                                         let _e1015 = ((_e1002.member[0].y - _e360) * _e365);
                                         let _e1016 = ((_e1002.member[0].z - _e361) * _e365);
@@ -1284,188 +1284,188 @@ fn function_() {
                                         if _e1102 {
                                             if _e1103 {
                                                 if _e1104 {
-                                                    phi_3264_ = _e1002.member_2;
+                                                    phi_3373_ = _e1002.member_2;
                                                 } else {
-                                                    phi_3264_ = _e1002.member_1;
+                                                    phi_3373_ = _e1002.member_1;
                                                 }
-                                                let _e1108 = phi_3264_;
-                                                let _e1130 = (_e700 % 128u);
+                                                let _e1108 = phi_3373_;
+                                                let _e1130 = (_e698 % 128u);
                                                 let _e1131 = (_e1130 < 128u);
                                                 if _e1131 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_8[_e1130] = _e1108.member_1;
                                                 if _e1131 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_7[_e1130] = _e1108.member.member.x;
                                                 if _e1131 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1130] = _e1108.member.member.y;
                                                 if _e1131 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1130] = _e1108.member.member.z;
                                                 if _e1131 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1130] = _e1108.member.member_1.x;
                                                 if _e1131 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1130] = _e1108.member.member_1.y;
                                                 if _e1131 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1130] = _e1108.member.member_1.z;
                                                 if _e1131 {
                                                 } else {
-                                                    phi_3763_ = true;
+                                                    phi_3875_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1130] = select(_e1097, _e1095, (_e1095 > _e1097));
+                                                local_9[_e1130] = select(_e1097, _e1095, !(_e1104));
                                                 if _e1104 {
-                                                    phi_3341_ = _e1002.member_1;
+                                                    phi_3450_ = _e1002.member_1;
                                                 } else {
-                                                    phi_3341_ = _e1002.member_2;
+                                                    phi_3450_ = _e1002.member_2;
                                                 }
-                                                let _e1144 = phi_3341_;
-                                                phi_3342_ = _e1144;
-                                                phi_3343_ = (_e700 + 1u);
+                                                let _e1144 = phi_3450_;
+                                                phi_3451_ = (_e698 + 1u);
+                                                phi_3452_ = _e1144;
                                             } else {
-                                                phi_3342_ = type_49();
-                                                phi_3343_ = u32();
+                                                phi_3451_ = u32();
+                                                phi_3452_ = type_49();
                                             }
-                                            let _e1146 = phi_3342_;
-                                            let _e1148 = phi_3343_;
-                                            phi_3345_ = _e1146;
-                                            phi_3346_ = _e1148;
-                                            phi_3347_ = select(true, false, _e1103);
+                                            let _e1146 = phi_3451_;
+                                            let _e1148 = phi_3452_;
+                                            phi_3454_ = _e1146;
+                                            phi_3455_ = _e1148;
+                                            phi_3456_ = select(true, false, _e1103);
                                         } else {
-                                            phi_3345_ = type_49();
-                                            phi_3346_ = u32();
-                                            phi_3347_ = true;
+                                            phi_3454_ = u32();
+                                            phi_3455_ = type_49();
+                                            phi_3456_ = true;
                                         }
-                                        let _e1151 = phi_3345_;
-                                        let _e1153 = phi_3346_;
-                                        let _e1155 = phi_3347_;
+                                        let _e1151 = phi_3454_;
+                                        let _e1153 = phi_3455_;
+                                        let _e1155 = phi_3456_;
                                         if _e1155 {
                                             if _e1102 {
-                                                phi_3356_ = _e1002.member_1;
+                                                phi_3465_ = _e1002.member_1;
                                             } else {
-                                                phi_3356_ = _e1002.member_2;
+                                                phi_3465_ = _e1002.member_2;
                                             }
-                                            let _e1159 = phi_3356_;
-                                            phi_3361_ = _e1159;
-                                            phi_3362_ = select(_e1103, true, _e1102);
+                                            let _e1159 = phi_3465_;
+                                            phi_3470_ = select(_e1103, true, _e1102);
+                                            phi_3472_ = _e1159;
                                         } else {
-                                            phi_3361_ = _e1151;
-                                            phi_3362_ = _e698;
+                                            phi_3470_ = _e696;
+                                            phi_3472_ = _e1153;
                                         }
-                                        let _e1162 = phi_3361_;
-                                        let _e1164 = phi_3362_;
-                                        phi_3767_ = _e655;
-                                        phi_3364_ = _e657;
-                                        phi_3365_ = _e1162;
-                                        phi_3366_ = _e1164;
-                                        phi_3367_ = select(_e1153, _e700, _e1155);
+                                        let _e1162 = phi_3470_;
+                                        let _e1164 = phi_3472_;
+                                        phi_3879_ = _e655;
+                                        phi_3476_ = _e657;
+                                        phi_3477_ = _e1162;
+                                        phi_3478_ = select(_e1151, _e698, _e1155);
+                                        phi_3479_ = _e1164;
                                     }
-                                    let _e1748 = phi_3767_;
-                                    let _e1750 = phi_3364_;
-                                    let _e1752 = phi_3365_;
-                                    let _e1754 = phi_3366_;
-                                    let _e1756 = phi_3367_;
-                                    phi_3766_ = _e1748;
-                                    phi_3368_ = _e1750;
-                                    phi_3369_ = _e1752;
-                                    phi_3370_ = (_e661 - 1u);
-                                    phi_3371_ = _e1754;
-                                    phi_3372_ = _e1756;
+                                    let _e1748 = phi_3879_;
+                                    let _e1750 = phi_3476_;
+                                    let _e1752 = phi_3477_;
+                                    let _e1754 = phi_3478_;
+                                    let _e1756 = phi_3479_;
+                                    phi_3878_ = _e1748;
+                                    phi_3480_ = _e1750;
+                                    phi_3481_ = _e1752;
+                                    phi_3482_ = (_e661 - 1u);
+                                    phi_3483_ = _e1754;
+                                    phi_3484_ = _e1756;
                                 } else {
-                                    phi_3766_ = _e655;
-                                    phi_3368_ = _e657;
-                                    phi_3369_ = _e696;
-                                    phi_3370_ = _e661;
-                                    phi_3371_ = _e698;
-                                    phi_3372_ = _e700;
+                                    phi_3878_ = _e655;
+                                    phi_3480_ = _e657;
+                                    phi_3481_ = _e696;
+                                    phi_3482_ = _e661;
+                                    phi_3483_ = _e698;
+                                    phi_3484_ = _e700;
                                 }
-                                let _e1758 = phi_3766_;
-                                let _e1760 = phi_3368_;
-                                let _e1762 = phi_3369_;
-                                let _e1764 = phi_3370_;
-                                let _e1766 = phi_3371_;
-                                let _e1768 = phi_3372_;
-                                phi_3765_ = _e1758;
-                                phi_3373_ = _e1760;
-                                phi_3374_ = _e1762;
-                                phi_3375_ = _e1764;
-                                phi_3376_ = _e1766;
-                                phi_3377_ = _e1768;
+                                let _e1758 = phi_3878_;
+                                let _e1760 = phi_3480_;
+                                let _e1762 = phi_3481_;
+                                let _e1764 = phi_3482_;
+                                let _e1766 = phi_3483_;
+                                let _e1768 = phi_3484_;
+                                phi_3877_ = _e1758;
+                                phi_3485_ = _e1760;
+                                phi_3486_ = _e1762;
+                                phi_3487_ = _e1764;
+                                phi_3488_ = _e1766;
+                                phi_3489_ = _e1768;
                             } else {
-                                phi_3765_ = _e655;
-                                phi_3373_ = type_38();
-                                phi_3374_ = type_49();
-                                phi_3375_ = u32();
-                                phi_3376_ = bool();
-                                phi_3377_ = u32();
+                                phi_3877_ = _e655;
+                                phi_3485_ = type_38();
+                                phi_3486_ = bool();
+                                phi_3487_ = u32();
+                                phi_3488_ = u32();
+                                phi_3489_ = type_49();
                             }
-                            let _e1770 = phi_3765_;
-                            let _e1772 = phi_3373_;
-                            let _e1774 = phi_3374_;
-                            let _e1776 = phi_3375_;
-                            let _e1778 = phi_3376_;
-                            let _e1780 = phi_3377_;
-                            phi_3764_ = _e1770;
-                            phi_1045_ = _e1772;
-                            phi_1048_ = _e1774;
-                            phi_1050_ = _e1776;
-                            phi_1052_ = _e1778;
-                            phi_1054_ = _e1780;
-                            phi_3378_ = _e669;
+                            let _e1770 = phi_3877_;
+                            let _e1772 = phi_3485_;
+                            let _e1774 = phi_3486_;
+                            let _e1776 = phi_3487_;
+                            let _e1778 = phi_3488_;
+                            let _e1780 = phi_3489_;
+                            phi_3876_ = _e1770;
+                            phi_1063_ = _e1772;
+                            phi_1066_ = _e1774;
+                            phi_1068_ = _e1776;
+                            phi_1070_ = _e1778;
+                            phi_1072_ = _e1780;
+                            phi_3490_ = _e669;
                         } else {
-                            phi_3764_ = _e655;
-                            phi_1045_ = type_38();
-                            phi_1048_ = type_49();
-                            phi_1050_ = u32();
-                            phi_1052_ = bool();
-                            phi_1054_ = u32();
-                            phi_3378_ = false;
+                            phi_3876_ = _e655;
+                            phi_1063_ = type_38();
+                            phi_1066_ = bool();
+                            phi_1068_ = u32();
+                            phi_1070_ = u32();
+                            phi_1072_ = type_49();
+                            phi_3490_ = false;
                         }
-                        let _e1782 = phi_3764_;
-                        let _e1784 = phi_1045_;
-                        let _e1786 = phi_1048_;
-                        let _e1788 = phi_1050_;
-                        let _e1790 = phi_1052_;
-                        let _e1792 = phi_1054_;
-                        let _e1794 = phi_3378_;
+                        let _e1782 = phi_3876_;
+                        let _e1784 = phi_1063_;
+                        let _e1786 = phi_1066_;
+                        let _e1788 = phi_1068_;
+                        let _e1790 = phi_1070_;
+                        let _e1792 = phi_1072_;
+                        let _e1794 = phi_3490_;
                         continue;
                         continuing {
-                            phi_3612_ = _e1782;
-                            phi_1044_ = _e1784;
-                            phi_1047_ = _e1786;
-                            phi_1049_ = _e1788;
-                            phi_1051_ = _e1790;
-                            phi_1053_ = _e1792;
-                            phi_3763_ = _e1782;
+                            phi_3724_ = _e1782;
+                            phi_1062_ = _e1784;
+                            phi_1065_ = _e1786;
+                            phi_1067_ = _e1788;
+                            phi_1069_ = _e1790;
+                            phi_1071_ = _e1792;
+                            phi_3875_ = _e1782;
                             break if !(_e1794);
                         }
                     }
-                    let _e1797 = phi_3763_;
+                    let _e1797 = phi_3875_;
                     if _e1797 {
                         break;
                     }

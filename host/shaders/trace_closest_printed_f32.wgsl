@@ -93,154 +93,154 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_412_: i32;
-    var phi_413_: i32;
-    var phi_423_: bool;
-    var phi_433_: u32;
-    var phi_434_: u32;
-    var phi_436_: bool;
-    var phi_441_: u32;
-    var phi_453_: i32;
-    var phi_473_: i32;
-    var phi_491_: f32;
-    var phi_497_: f32;
-    var phi_537_: f32;
-    var phi_543_: f32;
-    var phi_595_: f32;
+    var phi_422_: i32;
+    var phi_423_: i32;
+    var phi_433_: bool;
+    var phi_443_: u32;
+    var phi_444_: u32;
+    var phi_446_: bool;
+    var phi_451_: u32;
+    var phi_464_: i32;
+    var phi_484_: i32;
+    var phi_502_: f32;
+    var phi_508_: f32;
+    var phi_548_: f32;
+    var phi_554_: f32;
     var phi_606_: f32;
-    var phi_615_: f32;
-    var phi_621_: f32;
-    var phi_661_: f32;
-    var phi_667_: f32;
-    var phi_719_: f32;
-    var phi_730_: f32;
-    var phi_739_: f32;
-    var phi_745_: f32;
-    var phi_785_: f32;
-    var phi_791_: f32;
-    var phi_843_: f32;
-    var phi_854_: f32;
-    var phi_909_: i32;
-    var phi_931_: u32;
-    var phi_932_: u32;
-    var phi_969_: i32;
-    var phi_991_: u32;
-    var phi_992_: u32;
-    var phi_1000_: f32;
-    var phi_1001_: f32;
-    var phi_3399_: bool;
-    var phi_1074_: type_33;
-    var phi_1077_: type_49;
-    var phi_1079_: u32;
-    var phi_1081_: bool;
-    var phi_1083_: u32;
-    var phi_1094_: bool;
-    var phi_1180_: type_49;
-    var phi_1181_: bool;
-    var phi_1182_: u32;
-    var phi_2229_: type_42;
-    var phi_3085_: type_49;
-    var phi_3162_: type_49;
-    var phi_3163_: type_49;
-    var phi_3164_: u32;
-    var phi_3166_: type_49;
-    var phi_3167_: u32;
-    var phi_3168_: bool;
-    var phi_3175_: type_49;
-    var phi_3180_: type_49;
-    var phi_3181_: bool;
-    var phi_1200_: type_33;
-    var phi_1203_: type_4;
-    var phi_1204_: type_4;
-    var phi_1226_: type_4;
-    var phi_1247_: u32;
-    var phi_1336_: array<array<f32, 3>, 3>;
-    var phi_1453_: bool;
-    var phi_1482_: bool;
-    var phi_1883_: f32;
-    var phi_1884_: f32;
-    var phi_1885_: f32;
-    var phi_1886_: f32;
-    var phi_1887_: vec3<f32>;
-    var phi_1888_: vec3<f32>;
-    var phi_1889_: vec3<f32>;
-    var phi_1890_: vec3<f32>;
-    var phi_1921_: bool;
-    var phi_1930_: vec3<f32>;
-    var phi_2095_: f32;
-    var phi_2097_: f32;
-    var phi_2098_: bool;
-    var phi_2118_: f32;
-    var phi_2119_: f32;
-    var phi_2142_: type_22;
-    var phi_2144_: type_22;
-    var phi_2145_: bool;
-    var phi_2149_: type_22;
-    var phi_2150_: type_22;
-    var phi_2151_: type_22;
-    var phi_2152_: bool;
-    var phi_2156_: type_22;
-    var phi_2157_: bool;
-    var phi_2158_: type_22;
-    var phi_2159_: bool;
-    var phi_2160_: bool;
-    var phi_2161_: type_22;
-    var phi_2162_: bool;
-    var phi_2163_: bool;
-    var phi_2171_: type_22;
-    var phi_2172_: bool;
-    var phi_2176_: type_22;
-    var phi_2201_: bool;
-    var phi_2202_: bool;
-    var phi_2208_: type_33;
-    var phi_2209_: type_33;
-    var phi_2210_: type_33;
-    var phi_1201_: type_33;
-    var phi_3393_: bool;
-    var phi_3557_: bool;
-    var phi_3183_: type_33;
-    var phi_3184_: type_49;
-    var phi_3185_: bool;
-    var phi_3186_: u32;
-    var phi_3556_: bool;
-    var phi_3187_: type_33;
-    var phi_3188_: type_49;
-    var phi_3189_: u32;
-    var phi_3190_: bool;
-    var phi_3191_: u32;
-    var phi_3555_: bool;
-    var phi_3192_: type_33;
-    var phi_3193_: type_49;
-    var phi_3194_: u32;
-    var phi_3195_: bool;
-    var phi_3196_: u32;
-    var phi_3554_: bool;
-    var phi_1075_: type_33;
-    var phi_1078_: type_49;
-    var phi_1080_: u32;
-    var phi_1082_: bool;
-    var phi_1084_: u32;
-    var phi_3197_: bool;
-    var phi_3553_: bool;
+    var phi_618_: f32;
+    var phi_627_: f32;
+    var phi_633_: f32;
+    var phi_673_: f32;
+    var phi_679_: f32;
+    var phi_731_: f32;
+    var phi_743_: f32;
+    var phi_752_: f32;
+    var phi_758_: f32;
+    var phi_798_: f32;
+    var phi_804_: f32;
+    var phi_856_: f32;
+    var phi_868_: f32;
+    var phi_923_: i32;
+    var phi_945_: u32;
+    var phi_946_: u32;
+    var phi_983_: i32;
+    var phi_1005_: u32;
+    var phi_1006_: u32;
+    var phi_1014_: f32;
+    var phi_1015_: f32;
+    var phi_3525_: bool;
+    var phi_1098_: type_33;
+    var phi_1101_: bool;
+    var phi_1103_: u32;
+    var phi_1105_: u32;
+    var phi_1107_: type_49;
+    var phi_1118_: bool;
+    var phi_1204_: bool;
+    var phi_1205_: u32;
+    var phi_1206_: type_49;
+    var phi_2322_: type_42;
+    var phi_3208_: type_49;
+    var phi_3285_: type_49;
+    var phi_3286_: u32;
+    var phi_3287_: type_49;
+    var phi_3289_: u32;
+    var phi_3290_: type_49;
+    var phi_3291_: bool;
+    var phi_3298_: type_49;
+    var phi_3303_: bool;
+    var phi_3305_: type_49;
+    var phi_1224_: type_33;
+    var phi_1227_: type_4;
+    var phi_1228_: type_4;
+    var phi_1250_: type_4;
+    var phi_1271_: u32;
+    var phi_1363_: array<array<f32, 3>, 3>;
+    var phi_1515_: bool;
+    var phi_1544_: bool;
+    var phi_1963_: f32;
+    var phi_1964_: f32;
+    var phi_1965_: f32;
+    var phi_1966_: f32;
+    var phi_1967_: vec3<f32>;
+    var phi_1968_: vec3<f32>;
+    var phi_1969_: vec3<f32>;
+    var phi_1970_: vec3<f32>;
+    var phi_2007_: bool;
+    var phi_2016_: vec3<f32>;
+    var phi_2181_: f32;
+    var phi_2183_: f32;
+    var phi_2184_: bool;
+    var phi_2204_: f32;
+    var phi_2205_: f32;
+    var phi_2228_: type_22;
+    var phi_2230_: type_22;
+    var phi_2231_: bool;
+    var phi_2235_: type_22;
+    var phi_2236_: type_22;
+    var phi_2237_: type_22;
+    var phi_2238_: bool;
+    var phi_2242_: type_22;
+    var phi_2243_: bool;
+    var phi_2244_: type_22;
+    var phi_2245_: bool;
+    var phi_2246_: bool;
+    var phi_2247_: type_22;
+    var phi_2248_: bool;
+    var phi_2249_: bool;
+    var phi_2257_: type_22;
+    var phi_2258_: bool;
+    var phi_2262_: type_22;
+    var phi_2287_: bool;
+    var phi_2288_: bool;
+    var phi_2294_: type_33;
+    var phi_2295_: type_33;
+    var phi_2296_: type_33;
+    var phi_1225_: type_33;
+    var phi_3519_: bool;
+    var phi_3683_: bool;
+    var phi_3309_: type_33;
+    var phi_3310_: bool;
+    var phi_3311_: u32;
+    var phi_3312_: type_49;
+    var phi_3682_: bool;
+    var phi_3313_: type_33;
+    var phi_3314_: bool;
+    var phi_3315_: u32;
+    var phi_3316_: u32;
+    var phi_3317_: type_49;
+    var phi_3681_: bool;
+    var phi_3318_: type_33;
+    var phi_3319_: bool;
+    var phi_3320_: u32;
+    var phi_3321_: u32;
+    var phi_3322_: type_49;
+    var phi_3680_: bool;
+    var phi_1099_: type_33;
+    var phi_1102_: bool;
+    var phi_1104_: u32;
+    var phi_1106_: u32;
+    var phi_1108_: type_49;
+    var phi_3323_: bool;
+    var phi_3679_: bool;
     var local_10: type_33;
-    var phi_3235_: f32;
-    var phi_3237_: f32;
-    var phi_3238_: bool;
-    var phi_3239_: f32;
-    var phi_3240_: bool;
-    var phi_3313_: u32;
-    var phi_3331_: bool;
-    var phi_3334_: bool;
-    var phi_3347_: f32;
-    var phi_3348_: f32;
-    var phi_3353_: f32;
-    var phi_3354_: f32;
-    var phi_3355_: bool;
+    var phi_3361_: f32;
     var phi_3363_: f32;
-    var phi_3255_: f32;
-    var phi_3256_: f32;
-    var phi_3268_: f32;
-    var phi_3273_: type_22;
+    var phi_3364_: bool;
+    var phi_3365_: f32;
+    var phi_3366_: bool;
+    var phi_3439_: u32;
+    var phi_3457_: bool;
+    var phi_3460_: bool;
+    var phi_3473_: f32;
+    var phi_3474_: f32;
+    var phi_3479_: f32;
+    var phi_3480_: f32;
+    var phi_3481_: bool;
+    var phi_3489_: f32;
+    var phi_3381_: f32;
+    var phi_3382_: f32;
+    var phi_3394_: f32;
+    var phi_3399_: type_22;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
@@ -293,211 +293,211 @@ fn function_() {
                     if _e211 {
                         let _e214 = (bitcast<u32>(bitcast<f32>(_e186)) & 2147483647u);
                         if (_e214 >= 8388608u) {
-                            phi_412_ = (bitcast<i32>((_e214 >> bitcast<u32>(23i))) - 127i);
+                            phi_422_ = (bitcast<i32>((_e214 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_412_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e214)), 32u, (_e214 == 0u))));
+                            phi_422_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e214)), 32u, (_e214 == 0u))));
                         }
-                        let _e228 = phi_412_;
-                        phi_413_ = _e228;
+                        let _e228 = phi_422_;
+                        phi_423_ = _e228;
                     } else {
-                        phi_413_ = 0i;
+                        phi_423_ = 0i;
                     }
-                    let _e230 = phi_413_;
+                    let _e230 = phi_423_;
                     let _e231 = (_e147 == _e186);
                     if _e231 {
-                        phi_423_ = true;
+                        phi_433_ = true;
                     } else {
-                        phi_423_ = (_e154 == _e186);
+                        phi_433_ = (_e154 == _e186);
                     }
-                    let _e234 = phi_423_;
+                    let _e234 = phi_433_;
                     let _e235 = select(1u, 0u, _e231);
                     if _e234 {
                         let _e236 = (_e235 + 1u);
-                        phi_433_ = _e236;
-                        phi_434_ = _e236;
-                        phi_436_ = select(true, false, (_e236 == 2u));
+                        phi_443_ = _e236;
+                        phi_444_ = _e236;
+                        phi_446_ = select(true, false, (_e236 == 2u));
                     } else {
-                        phi_433_ = u32();
-                        phi_434_ = 0u;
-                        phi_436_ = true;
+                        phi_443_ = u32();
+                        phi_444_ = 0u;
+                        phi_446_ = true;
                     }
-                    let _e240 = phi_433_;
-                    let _e242 = phi_434_;
-                    let _e244 = phi_436_;
+                    let _e240 = phi_443_;
+                    let _e242 = phi_444_;
+                    let _e244 = phi_446_;
                     if _e244 {
-                        phi_441_ = (_e242 + 1u);
+                        phi_451_ = (_e242 + 1u);
                     } else {
-                        phi_441_ = 0u;
+                        phi_451_ = 0u;
                     }
-                    let _e248 = phi_441_;
+                    let _e248 = phi_451_;
                     let _e249 = select(_e240, _e242, _e244);
                     let _e250 = select(_e235, select(2u, _e235, _e234), _e244);
                     if (_e125 < -126i) {
-                        phi_453_ = -126i;
+                        phi_464_ = -126i;
                     } else {
-                        phi_453_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_464_ = select(_e125, 127i, (_e125 > 127i));
                     }
-                    let _e255 = phi_453_;
+                    let _e255 = phi_464_;
                     let _e260 = bitcast<f32>((bitcast<u32>((_e255 + 127i)) << bitcast<u32>(23i)));
                     let _e266 = bitcast<f32>((bitcast<u32>(((_e125 - _e255) + 127i)) << bitcast<u32>(23i)));
                     let _e267 = -(_e230);
                     if (_e267 < -126i) {
-                        phi_473_ = -126i;
+                        phi_484_ = -126i;
                     } else {
-                        phi_473_ = select(_e267, 127i, (_e267 > 127i));
+                        phi_484_ = select(_e267, 127i, (_e267 > 127i));
                     }
-                    let _e272 = phi_473_;
+                    let _e272 = phi_484_;
                     let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
                     let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
                     let _e287 = global_4.member[_e135].member;
                     let _e288 = (_e249 == 0u);
                     if _e288 {
-                        phi_491_ = _e287[0];
+                        phi_502_ = _e287[0];
                     } else {
-                        phi_491_ = _e287[1];
+                        phi_502_ = _e287[1];
                     }
-                    let _e292 = phi_491_;
+                    let _e292 = phi_502_;
                     let _e293 = (_e249 == 2u);
                     if _e293 {
-                        phi_497_ = _e287[2];
+                        phi_508_ = _e287[2];
                     } else {
-                        phi_497_ = _e292;
+                        phi_508_ = _e292;
                     }
-                    let _e296 = phi_497_;
+                    let _e296 = phi_508_;
                     let _e297 = bitcast<u32>(_e296);
                     let _e299 = ((_e297 & 2139095040u) != 0u);
                     let _e313 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e297 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e297 & 2147483648u))), _e296, _e299) * _e260) * select(0.00000011920929f, 1f, _e299)) * _e266);
                     let _e314 = global_4.member[_e135].member_2;
                     if _e288 {
-                        phi_537_ = _e314[0];
+                        phi_548_ = _e314[0];
                     } else {
-                        phi_537_ = _e314[1];
+                        phi_548_ = _e314[1];
                     }
-                    let _e318 = phi_537_;
+                    let _e318 = phi_548_;
                     if _e293 {
-                        phi_543_ = _e314[2];
+                        phi_554_ = _e314[2];
                     } else {
-                        phi_543_ = _e318;
+                        phi_554_ = _e318;
                     }
-                    let _e321 = phi_543_;
+                    let _e321 = phi_554_;
                     let _e322 = bitcast<u32>(_e321);
                     let _e324 = ((_e322 & 2139095040u) != 0u);
                     let _e338 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e322 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e322 & 2147483648u))), _e321, _e324) * _e277) * select(0.00000011920929f, 1f, _e324)) * _e283);
                     let _e342 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e342 {
                         let _e346 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_595_ = select(0.00000000000011368684f, _e346, (_e346 > 0.00000000000011368684f));
+                        phi_606_ = select(0.00000000000011368684f, _e346, (_e346 > 0.00000000000011368684f));
                     } else {
-                        phi_595_ = 0f;
+                        phi_606_ = 0f;
                     }
-                    let _e350 = phi_595_;
+                    let _e350 = phi_606_;
                     let _e351 = (_e313 + _e350);
                     let _e352 = (_e313 - _e350);
                     let _e353 = select(_e338, 0f, _e342);
                     if _e342 {
-                        phi_606_ = 38685626000000000000000000f;
+                        phi_618_ = 38685626000000000000000000f;
                     } else {
-                        phi_606_ = (1f / _e338);
+                        phi_618_ = (1f / _e338);
                     }
-                    let _e356 = phi_606_;
+                    let _e356 = phi_618_;
                     let _e357 = (_e248 == 0u);
                     if _e357 {
-                        phi_615_ = _e287[0];
+                        phi_627_ = _e287[0];
                     } else {
-                        phi_615_ = _e287[1];
+                        phi_627_ = _e287[1];
                     }
-                    let _e361 = phi_615_;
+                    let _e361 = phi_627_;
                     let _e362 = (_e248 == 2u);
                     if _e362 {
-                        phi_621_ = _e287[2];
+                        phi_633_ = _e287[2];
                     } else {
-                        phi_621_ = _e361;
+                        phi_633_ = _e361;
                     }
-                    let _e365 = phi_621_;
+                    let _e365 = phi_633_;
                     let _e366 = bitcast<u32>(_e365);
                     let _e368 = ((_e366 & 2139095040u) != 0u);
                     let _e382 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e366 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e366 & 2147483648u))), _e365, _e368) * _e260) * select(0.00000011920929f, 1f, _e368)) * _e266);
                     if _e357 {
-                        phi_661_ = _e314[0];
+                        phi_673_ = _e314[0];
                     } else {
-                        phi_661_ = _e314[1];
+                        phi_673_ = _e314[1];
                     }
-                    let _e386 = phi_661_;
+                    let _e386 = phi_673_;
                     if _e362 {
-                        phi_667_ = _e314[2];
+                        phi_679_ = _e314[2];
                     } else {
-                        phi_667_ = _e386;
+                        phi_679_ = _e386;
                     }
-                    let _e389 = phi_667_;
+                    let _e389 = phi_679_;
                     let _e390 = bitcast<u32>(_e389);
                     let _e392 = ((_e390 & 2139095040u) != 0u);
                     let _e406 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e390 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e390 & 2147483648u))), _e389, _e392) * _e277) * select(0.00000011920929f, 1f, _e392)) * _e283);
                     let _e410 = (bitcast<f32>((bitcast<u32>(_e406) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e410 {
                         let _e414 = (bitcast<f32>((bitcast<u32>(_e382) & 2147483647u)) * 0.00000011920929f);
-                        phi_719_ = select(0.00000000000011368684f, _e414, (_e414 > 0.00000000000011368684f));
+                        phi_731_ = select(0.00000000000011368684f, _e414, (_e414 > 0.00000000000011368684f));
                     } else {
-                        phi_719_ = 0f;
+                        phi_731_ = 0f;
                     }
-                    let _e418 = phi_719_;
+                    let _e418 = phi_731_;
                     let _e419 = (_e382 + _e418);
                     let _e420 = (_e382 - _e418);
                     let _e421 = select(_e406, 0f, _e410);
                     if _e410 {
-                        phi_730_ = 38685626000000000000000000f;
+                        phi_743_ = 38685626000000000000000000f;
                     } else {
-                        phi_730_ = (1f / _e406);
+                        phi_743_ = (1f / _e406);
                     }
-                    let _e424 = phi_730_;
+                    let _e424 = phi_743_;
                     let _e425 = (_e250 == 0u);
                     if _e425 {
-                        phi_739_ = _e287[0];
+                        phi_752_ = _e287[0];
                     } else {
-                        phi_739_ = _e287[1];
+                        phi_752_ = _e287[1];
                     }
-                    let _e429 = phi_739_;
+                    let _e429 = phi_752_;
                     let _e430 = (_e250 == 2u);
                     if _e430 {
-                        phi_745_ = _e287[2];
+                        phi_758_ = _e287[2];
                     } else {
-                        phi_745_ = _e429;
+                        phi_758_ = _e429;
                     }
-                    let _e433 = phi_745_;
+                    let _e433 = phi_758_;
                     let _e434 = bitcast<u32>(_e433);
                     let _e436 = ((_e434 & 2139095040u) != 0u);
                     let _e450 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e434 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e434 & 2147483648u))), _e433, _e436) * _e260) * select(0.00000011920929f, 1f, _e436)) * _e266);
                     if _e425 {
-                        phi_785_ = _e314[0];
+                        phi_798_ = _e314[0];
                     } else {
-                        phi_785_ = _e314[1];
+                        phi_798_ = _e314[1];
                     }
-                    let _e454 = phi_785_;
+                    let _e454 = phi_798_;
                     if _e430 {
-                        phi_791_ = _e314[2];
+                        phi_804_ = _e314[2];
                     } else {
-                        phi_791_ = _e454;
+                        phi_804_ = _e454;
                     }
-                    let _e457 = phi_791_;
+                    let _e457 = phi_804_;
                     let _e458 = bitcast<u32>(_e457);
                     let _e460 = ((_e458 & 2139095040u) != 0u);
                     let _e474 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e458 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e458 & 2147483648u))), _e457, _e460) * _e277) * select(0.00000011920929f, 1f, _e460)) * _e283);
                     let _e478 = (bitcast<f32>((bitcast<u32>(_e474) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e478 {
                         let _e482 = (bitcast<f32>((bitcast<u32>(_e450) & 2147483647u)) * 0.00000011920929f);
-                        phi_843_ = select(0.00000000000011368684f, _e482, (_e482 > 0.00000000000011368684f));
+                        phi_856_ = select(0.00000000000011368684f, _e482, (_e482 > 0.00000000000011368684f));
                     } else {
-                        phi_843_ = 0f;
+                        phi_856_ = 0f;
                     }
-                    let _e486 = phi_843_;
+                    let _e486 = phi_856_;
                     let _e487 = (_e450 + _e486);
                     let _e488 = (_e450 - _e486);
                     let _e489 = select(_e474, 0f, _e478);
                     if _e478 {
-                        phi_854_ = 38685626000000000000000000f;
+                        phi_868_ = 38685626000000000000000000f;
                     } else {
-                        phi_854_ = (1f / _e474);
+                        phi_868_ = (1f / _e474);
                     }
-                    let _e492 = phi_854_;
+                    let _e492 = phi_868_;
                     let _e495 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
                     let _e498 = bitcast<f32>((bitcast<u32>(_e382) & 2147483647u));
                     let _e500 = select(_e498, _e495, (_e495 > _e498));
@@ -509,55 +509,55 @@ fn function_() {
                         let _e523 = (_e516 == 0u);
                         let _e526 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e516)), 32u, _e523)) - 8i);
                         if (_e519 == 255i) {
-                            phi_909_ = 255i;
+                            phi_923_ = 255i;
                         } else {
-                            phi_909_ = (((_e519 + select(0i, 1i, (_e519 == 0i))) - _e526) + _e506);
+                            phi_923_ = (((_e519 + select(0i, 1i, (_e519 == 0i))) - _e526) + _e506);
                         }
-                        let _e534 = phi_909_;
+                        let _e534 = phi_923_;
                         let _e544 = (_e534 <= 0i);
                         if _e544 {
-                            phi_932_ = u32();
+                            phi_946_ = u32();
                         } else {
                             if _e523 {
-                                phi_931_ = u32();
+                                phi_945_ = u32();
                             } else {
-                                phi_931_ = select(((bitcast<u32>(_e534) << bitcast<u32>(23i)) | ((_e516 << bitcast<u32>(((_e526 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e534 >= 255i));
+                                phi_945_ = select(((bitcast<u32>(_e534) << bitcast<u32>(23i)) | ((_e516 << bitcast<u32>(((_e526 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e534 >= 255i));
                             }
-                            let _e548 = phi_931_;
-                            phi_932_ = _e548;
+                            let _e548 = phi_945_;
+                            phi_946_ = _e548;
                         }
-                        let _e550 = phi_932_;
+                        let _e550 = phi_946_;
                         let _e562 = ((_e207 & 8388607u) | (select(0u, 1u, ((_e207 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e565 = bitcast<i32>((_e207 >> bitcast<u32>(23i)));
                         let _e569 = (_e562 == 0u);
                         let _e572 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e562)), 32u, _e569)) - 8i);
                         if (_e565 == 255i) {
-                            phi_969_ = 255i;
+                            phi_983_ = 255i;
                         } else {
-                            phi_969_ = (((_e565 + select(0i, 1i, (_e565 == 0i))) - _e572) + _e506);
+                            phi_983_ = (((_e565 + select(0i, 1i, (_e565 == 0i))) - _e572) + _e506);
                         }
-                        let _e580 = phi_969_;
+                        let _e580 = phi_983_;
                         let _e590 = (_e580 <= 0i);
                         if _e590 {
-                            phi_992_ = u32();
+                            phi_1006_ = u32();
                         } else {
                             if _e569 {
-                                phi_991_ = u32();
+                                phi_1005_ = u32();
                             } else {
-                                phi_991_ = select(((bitcast<u32>(_e580) << bitcast<u32>(23i)) | ((_e562 << bitcast<u32>(((_e572 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e580 >= 255i));
+                                phi_1005_ = select(((bitcast<u32>(_e580) << bitcast<u32>(23i)) | ((_e562 << bitcast<u32>(((_e572 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e580 >= 255i));
                             }
-                            let _e594 = phi_991_;
-                            phi_992_ = _e594;
+                            let _e594 = phi_1005_;
+                            phi_1006_ = _e594;
                         }
-                        let _e596 = phi_992_;
-                        phi_1000_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e596, 0u, select(_e569, true, _e590))));
-                        phi_1001_ = bitcast<f32>(((_e197 & 2147483648u) | select(_e550, 0u, select(_e523, true, _e544))));
+                        let _e596 = phi_1006_;
+                        phi_1014_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e596, 0u, select(_e569, true, _e590))));
+                        phi_1015_ = bitcast<f32>(((_e197 & 2147483648u) | select(_e550, 0u, select(_e523, true, _e544))));
                     } else {
-                        phi_1000_ = 0f;
-                        phi_1001_ = 1f;
+                        phi_1014_ = 0f;
+                        phi_1015_ = 1f;
                     }
-                    let _e602 = phi_1000_;
-                    let _e604 = phi_1001_;
+                    let _e602 = phi_1014_;
+                    let _e604 = phi_1015_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -604,196 +604,196 @@ fn function_() {
                         break;
                     }
                     let _e628 = local_8[_e617];
-                    phi_3399_ = false;
-                    phi_1074_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e602);
-                    phi_1077_ = type_49(type_47(array<f32, 3>(_e612, _e616, _e620), array<f32, 3>(_e624, _e626, _e628)), select(0u, 2147483648u, (_e87 == 0u)));
-                    phi_1079_ = ((3u * _e87) + 1u);
-                    phi_1081_ = (_e604 <= _e602);
-                    phi_1083_ = 0u;
+                    phi_3525_ = false;
+                    phi_1098_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e602);
+                    phi_1101_ = (_e604 <= _e602);
+                    phi_1103_ = ((3u * _e87) + 1u);
+                    phi_1105_ = 0u;
+                    phi_1107_ = type_49(type_47(array<f32, 3>(_e612, _e616, _e620), array<f32, 3>(_e624, _e626, _e628)), select(0u, 2147483648u, (_e87 == 0u)));
                     loop {
-                        let _e636 = phi_3399_;
-                        let _e638 = phi_1074_;
-                        let _e640 = phi_1077_;
-                        let _e642 = phi_1079_;
-                        let _e644 = phi_1081_;
-                        let _e646 = phi_1083_;
+                        let _e636 = phi_3525_;
+                        let _e638 = phi_1098_;
+                        let _e640 = phi_1101_;
+                        let _e642 = phi_1103_;
+                        let _e644 = phi_1105_;
+                        let _e646 = phi_1107_;
                         local_10 = _e638;
-                        if _e644 {
-                            phi_1094_ = true;
+                        if _e640 {
+                            phi_1118_ = true;
                         } else {
-                            phi_1094_ = (_e646 > 0u);
+                            phi_1118_ = (_e644 > 0u);
                         }
-                        let _e649 = phi_1094_;
+                        let _e649 = phi_1118_;
                         if _e649 {
                             let _e650 = (_e642 > 0u);
                             if _e650 {
-                                if _e644 {
-                                    phi_1180_ = _e640;
-                                    phi_1181_ = _e644;
-                                    phi_1182_ = _e646;
+                                if _e640 {
+                                    phi_1204_ = _e640;
+                                    phi_1205_ = _e644;
+                                    phi_1206_ = _e646;
                                 } else {
-                                    let _e651 = (_e646 - 1u);
+                                    let _e651 = (_e644 - 1u);
                                     let _e652 = (_e651 % 128u);
                                     let _e653 = (_e652 < 128u);
                                     if _e653 {
                                     } else {
-                                        phi_3553_ = true;
+                                        phi_3679_ = true;
                                         break;
                                     }
                                     let _e655 = local_6[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3553_ = true;
+                                        phi_3679_ = true;
                                         break;
                                     }
                                     let _e657 = local_5[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3553_ = true;
+                                        phi_3679_ = true;
                                         break;
                                     }
                                     let _e659 = local_4[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3553_ = true;
+                                        phi_3679_ = true;
                                         break;
                                     }
                                     let _e661 = local_3[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3553_ = true;
+                                        phi_3679_ = true;
                                         break;
                                     }
                                     let _e664 = local_2[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3553_ = true;
+                                        phi_3679_ = true;
                                         break;
                                     }
                                     let _e666 = local_1[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3553_ = true;
+                                        phi_3679_ = true;
                                         break;
                                     }
                                     let _e668 = local[_e652];
                                     if _e653 {
                                     } else {
-                                        phi_3553_ = true;
+                                        phi_3679_ = true;
                                         break;
                                     }
                                     let _e673 = local_7[_e652];
-                                    phi_1180_ = type_49(type_47(array<f32, 3>(_e657, _e659, _e661), array<f32, 3>(_e664, _e666, _e668)), _e655);
-                                    phi_1181_ = (_e673 <= _e638.member_1);
-                                    phi_1182_ = _e651;
+                                    phi_1204_ = (_e673 <= _e638.member_1);
+                                    phi_1205_ = _e651;
+                                    phi_1206_ = type_49(type_47(array<f32, 3>(_e657, _e659, _e661), array<f32, 3>(_e664, _e666, _e668)), _e655);
                                 }
-                                let _e677 = phi_1180_;
-                                let _e679 = phi_1181_;
-                                let _e681 = phi_1182_;
-                                if _e679 {
-                                    if ((_e677.member_1 & 2147483648u) != 0u) {
-                                        phi_1200_ = _e638;
-                                        phi_1203_ = type_4(0u, ((_e677.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e677 = phi_1204_;
+                                let _e679 = phi_1205_;
+                                let _e681 = phi_1206_;
+                                if _e677 {
+                                    if ((_e681.member_1 & 2147483648u) != 0u) {
+                                        phi_1224_ = _e638;
+                                        phi_1227_ = type_4(0u, ((_e681.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1057 = phi_1200_;
-                                            let _e1059 = phi_1203_;
+                                            let _e1057 = phi_1224_;
+                                            let _e1059 = phi_1227_;
                                             local_11 = _e1057;
                                             if (_e1059.member < _e1059.member_1) {
-                                                phi_1204_ = type_4((_e1059.member + 1u), _e1059.member_1);
-                                                phi_1226_ = type_4(1u, _e1059.member);
+                                                phi_1228_ = type_4((_e1059.member + 1u), _e1059.member_1);
+                                                phi_1250_ = type_4(1u, _e1059.member);
                                             } else {
-                                                phi_1204_ = _e1059;
-                                                phi_1226_ = type_4(0u, type_4().member_1);
+                                                phi_1228_ = _e1059;
+                                                phi_1250_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1072 = phi_1204_;
-                                            let _e1074 = phi_1226_;
+                                            let _e1072 = phi_1228_;
+                                            let _e1074 = phi_1250_;
                                             let _e1078 = (bitcast<i32>(_e1074.member) != 0i);
                                             if _e1078 {
-                                                let _e1079 = ((_e677.member_1 & 268435455u) + _e1074.member_1);
+                                                let _e1079 = ((_e681.member_1 & 268435455u) + _e1074.member_1);
                                                 let _e1080 = (_e1079 < _e89);
                                                 if _e1080 {
                                                     if _e1080 {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1084 = global_2.member[_e1079].member_1;
-                                                    phi_1247_ = _e1084;
+                                                    phi_1271_ = _e1084;
                                                 } else {
-                                                    phi_1247_ = 4294967295u;
+                                                    phi_1271_ = 4294967295u;
                                                 }
-                                                let _e1086 = phi_1247_;
+                                                let _e1086 = phi_1271_;
                                                 if (_e1079 >= _e89) {
-                                                    phi_1336_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1363_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1080 {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     if (_e609 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1093 = global_2.member[_e1079].member[_e609];
                                                     if (_e613 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1099 = global_2.member[_e1079].member[_e613];
                                                     if (_e617 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1105 = global_2.member[_e1079].member[_e617];
                                                     let _e1107 = (3u + _e609);
                                                     if (_e1107 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1113 = global_2.member[_e1079].member[_e1107];
                                                     let _e1114 = (3u + _e613);
                                                     if (_e1114 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1120 = global_2.member[_e1079].member[_e1114];
                                                     let _e1121 = (3u + _e617);
                                                     if (_e1121 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1127 = global_2.member[_e1079].member[_e1121];
                                                     let _e1129 = (6u + _e609);
                                                     if (_e1129 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1135 = global_2.member[_e1079].member[_e1129];
                                                     let _e1136 = (6u + _e613);
                                                     if (_e1136 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1142 = global_2.member[_e1079].member[_e1136];
                                                     let _e1143 = (6u + _e617);
                                                     if (_e1143 < 9u) {
                                                     } else {
-                                                        phi_3393_ = true;
+                                                        phi_3519_ = true;
                                                         break;
                                                     }
                                                     let _e1149 = global_2.member[_e1079].member[_e1143];
-                                                    phi_1336_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1093, _e1099, _e1105), array<f32, 3>(_e1113, _e1120, _e1127), array<f32, 3>(_e1135, _e1142, _e1149));
+                                                    phi_1363_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1093, _e1099, _e1105), array<f32, 3>(_e1113, _e1120, _e1127), array<f32, 3>(_e1135, _e1142, _e1149));
                                                 }
-                                                let _e1153 = phi_1336_;
+                                                let _e1153 = phi_1363_;
                                                 let _e1161 = (_e1153[0][2] - _e450);
                                                 let _e1164 = (((_e1153[0][0] - _e313) * _e489) - (_e1161 * _e353));
                                                 let _e1167 = (((_e1153[0][1] - _e382) * _e489) - (_e1161 * _e421));
@@ -820,34 +820,34 @@ fn function_() {
                                                     let _e1223 = select(0f, _e1221, (_e1221 > 0f));
                                                     let _e1225 = ((_e1215 + _e1219) + _e1223);
                                                     if (_e1225 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2161_ = type_22();
-                                                        phi_2162_ = true;
-                                                        phi_2163_ = false;
+                                                        phi_2247_ = type_22();
+                                                        phi_2248_ = true;
+                                                        phi_2249_ = false;
                                                     } else {
                                                         let _e1228 = select(_e1177, _e1164, (_e1164 < _e1177));
                                                         if (select(_e1190, _e1228, (_e1228 < _e1190)) > 0f) {
-                                                            phi_1453_ = true;
+                                                            phi_1515_ = true;
                                                         } else {
                                                             let _e1233 = select(_e1177, _e1164, (_e1164 > _e1177));
-                                                            phi_1453_ = (select(_e1190, _e1233, (_e1233 > _e1190)) < 0f);
+                                                            phi_1515_ = (select(_e1190, _e1233, (_e1233 > _e1190)) < 0f);
                                                         }
-                                                        let _e1238 = phi_1453_;
+                                                        let _e1238 = phi_1515_;
                                                         if _e1238 {
-                                                            phi_2158_ = type_22();
-                                                            phi_2159_ = true;
-                                                            phi_2160_ = false;
+                                                            phi_2244_ = type_22();
+                                                            phi_2245_ = true;
+                                                            phi_2246_ = false;
                                                         } else {
                                                             let _e1240 = select(_e1180, _e1167, (_e1167 < _e1180));
                                                             if (select(_e1193, _e1240, (_e1240 < _e1193)) > 0f) {
-                                                                phi_1482_ = true;
+                                                                phi_1544_ = true;
                                                             } else {
                                                                 let _e1245 = select(_e1180, _e1167, (_e1167 > _e1180));
-                                                                phi_1482_ = (select(_e1193, _e1245, (_e1245 > _e1193)) < 0f);
+                                                                phi_1544_ = (select(_e1193, _e1245, (_e1245 > _e1193)) < 0f);
                                                             }
-                                                            let _e1250 = phi_1482_;
+                                                            let _e1250 = phi_1544_;
                                                             if _e1250 {
-                                                                phi_2156_ = type_22();
-                                                                phi_2157_ = false;
+                                                                phi_2242_ = type_22();
+                                                                phi_2243_ = false;
                                                             } else {
                                                                 let _e1252 = select(_e1153[1][0], _e1153[0][0], (_e1153[0][0] < _e1153[1][0]));
                                                                 let _e1256 = select(_e1153[1][0], _e1153[0][0], (_e1153[0][0] > _e1153[1][0]));
@@ -874,12 +874,12 @@ fn function_() {
                                                                 let _e1307 = -(_e1288);
                                                                 let _e1313 = select(_e604, _e1298, (_e1298 > _e604));
                                                                 if (_e1313 > (_e1306 + (select(_e1307, _e1290, (_e1290 > _e1307)) * 0.0000019073523f))) {
-                                                                    phi_2151_ = type_22();
-                                                                    phi_2152_ = true;
+                                                                    phi_2237_ = type_22();
+                                                                    phi_2238_ = true;
                                                                 } else {
                                                                     let _e1315 = (_e1313 > _e1057.member_1);
                                                                     if _e1315 {
-                                                                        phi_2150_ = type_22();
+                                                                        phi_2236_ = type_22();
                                                                     } else {
                                                                         let _e1316 = vec3<f32>(_e1153[0][0], _e1153[0][1], _e1153[0][2]);
                                                                         let _e1317 = vec3<f32>(_e1153[1][0], _e1153[1][1], _e1153[1][2]);
@@ -914,49 +914,49 @@ fn function_() {
                                                                         let _e1371 = select(_e1356, _e1343, (_e1343 > _e1356));
                                                                         let _e1373 = select(_e1369, _e1371, (_e1371 > _e1369));
                                                                         if (_e1343 == _e1373) {
-                                                                            phi_1883_ = _e1180;
-                                                                            phi_1884_ = _e1177;
-                                                                            phi_1885_ = _e1167;
-                                                                            phi_1886_ = _e1164;
-                                                                            phi_1887_ = _e1316;
-                                                                            phi_1888_ = _e1330;
-                                                                            phi_1889_ = _e1326;
-                                                                            phi_1890_ = _e1322;
+                                                                            phi_1963_ = _e1180;
+                                                                            phi_1964_ = _e1177;
+                                                                            phi_1965_ = _e1167;
+                                                                            phi_1966_ = _e1164;
+                                                                            phi_1967_ = _e1316;
+                                                                            phi_1968_ = _e1330;
+                                                                            phi_1969_ = _e1326;
+                                                                            phi_1970_ = _e1322;
                                                                         } else {
                                                                             let _e1375 = (_e1356 == _e1373);
                                                                             let _e1380 = vec3(_e1375);
-                                                                            phi_1883_ = select(_e1167, _e1193, _e1375);
-                                                                            phi_1884_ = select(_e1164, _e1190, _e1375);
-                                                                            phi_1885_ = select(_e1193, _e1180, _e1375);
-                                                                            phi_1886_ = select(_e1190, _e1177, _e1375);
-                                                                            phi_1887_ = select(_e1318, _e1317, _e1380);
-                                                                            phi_1888_ = select(_e1326, _e1322, _e1380);
-                                                                            phi_1889_ = select(_e1322, _e1330, _e1380);
-                                                                            phi_1890_ = select(_e1330, _e1326, _e1380);
+                                                                            phi_1963_ = select(_e1167, _e1193, _e1375);
+                                                                            phi_1964_ = select(_e1164, _e1190, _e1375);
+                                                                            phi_1965_ = select(_e1193, _e1180, _e1375);
+                                                                            phi_1966_ = select(_e1190, _e1177, _e1375);
+                                                                            phi_1967_ = select(_e1318, _e1317, _e1380);
+                                                                            phi_1968_ = select(_e1326, _e1322, _e1380);
+                                                                            phi_1969_ = select(_e1322, _e1330, _e1380);
+                                                                            phi_1970_ = select(_e1330, _e1326, _e1380);
                                                                         }
-                                                                        let _e1386 = phi_1883_;
-                                                                        let _e1388 = phi_1884_;
-                                                                        let _e1390 = phi_1885_;
-                                                                        let _e1392 = phi_1886_;
-                                                                        let _e1394 = phi_1887_;
-                                                                        let _e1396 = phi_1888_;
-                                                                        let _e1398 = phi_1889_;
-                                                                        let _e1400 = phi_1890_;
+                                                                        let _e1386 = phi_1963_;
+                                                                        let _e1388 = phi_1964_;
+                                                                        let _e1390 = phi_1965_;
+                                                                        let _e1392 = phi_1966_;
+                                                                        let _e1394 = phi_1967_;
+                                                                        let _e1396 = phi_1968_;
+                                                                        let _e1398 = phi_1969_;
+                                                                        let _e1400 = phi_1970_;
                                                                         let _e1407 = ((_e1398.y * _e1396.z) - (_e1396.y * _e1398.z));
                                                                         let _e1412 = ((_e1398.z * _e1396.x) - (_e1396.z * _e1398.x));
                                                                         let _e1415 = ((_e1398.x * _e1396.y) - (_e1396.x * _e1398.y));
                                                                         if (_e1215 >= _e1219) {
-                                                                            phi_1921_ = select(true, false, (_e1215 >= _e1223));
+                                                                            phi_2007_ = select(true, false, (_e1215 >= _e1223));
                                                                         } else {
-                                                                            phi_1921_ = true;
+                                                                            phi_2007_ = true;
                                                                         }
-                                                                        let _e1420 = phi_1921_;
+                                                                        let _e1420 = phi_2007_;
                                                                         if _e1420 {
-                                                                            phi_1930_ = select(_e1318, _e1317, vec3((_e1219 >= _e1223)));
+                                                                            phi_2016_ = select(_e1318, _e1317, vec3((_e1219 >= _e1223)));
                                                                         } else {
-                                                                            phi_1930_ = _e1316;
+                                                                            phi_2016_ = _e1316;
                                                                         }
-                                                                        let _e1425 = phi_1930_;
+                                                                        let _e1425 = phi_2016_;
                                                                         let _e1436 = (((_e1407 * (_e1425.x - _e313)) + (_e1412 * (_e1425.y - _e382))) + (_e1415 * (_e1425.z - _e450)));
                                                                         let _e1441 = (((_e1407 * _e353) + (_e1412 * _e421)) + (_e1415 * _e489));
                                                                         let _e1442 = (_e1388 - _e1392);
@@ -988,208 +988,208 @@ fn function_() {
                                                                             let _e1539 = bitcast<f32>((bitcast<u32>(_e1396.z) & 2147483647u));
                                                                             let _e1543 = (bitcast<f32>((bitcast<u32>(_e1441) & 2147483647u)) > ((0.0000038146973f * select(_e1525, _e1522, (_e1522 > _e1525))) * select(_e1539, _e1536, (_e1536 > _e1539))));
                                                                             if _e1543 {
-                                                                                phi_2095_ = (_e1436 / _e1441);
+                                                                                phi_2181_ = (_e1436 / _e1441);
                                                                             } else {
-                                                                                phi_2095_ = f32();
+                                                                                phi_2181_ = f32();
                                                                             }
-                                                                            let _e1546 = phi_2095_;
-                                                                            phi_2097_ = _e1546;
-                                                                            phi_2098_ = select(true, false, _e1543);
+                                                                            let _e1546 = phi_2181_;
+                                                                            phi_2183_ = _e1546;
+                                                                            phi_2184_ = select(true, false, _e1543);
                                                                         } else {
-                                                                            phi_2097_ = f32();
-                                                                            phi_2098_ = true;
+                                                                            phi_2183_ = f32();
+                                                                            phi_2184_ = true;
                                                                         }
-                                                                        let _e1549 = phi_2097_;
-                                                                        let _e1551 = phi_2098_;
+                                                                        let _e1549 = phi_2183_;
+                                                                        let _e1551 = phi_2184_;
                                                                         if _e1551 {
                                                                             let _e1559 = (((_e1407 * (_e1468 - (_e353 * _e1471))) + (_e1412 * (_e1469 - (_e421 * _e1471)))) / _e1441);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u)) <= _e1373) {
-                                                                                phi_2118_ = (_e1471 + _e1559);
+                                                                                phi_2204_ = (_e1471 + _e1559);
                                                                             } else {
-                                                                                phi_2118_ = _e1471;
+                                                                                phi_2204_ = _e1471;
                                                                             }
-                                                                            let _e1566 = phi_2118_;
-                                                                            phi_2119_ = _e1566;
+                                                                            let _e1566 = phi_2204_;
+                                                                            phi_2205_ = _e1566;
                                                                         } else {
-                                                                            phi_2119_ = _e1549;
+                                                                            phi_2205_ = _e1549;
                                                                         }
-                                                                        let _e1568 = phi_2119_;
+                                                                        let _e1568 = phi_2205_;
                                                                         let _e1570 = select(_e1306, _e1568, (_e1568 < _e1306));
                                                                         let _e1572 = select(_e1298, _e1570, (_e1570 > _e1298));
                                                                         if (_e1572 >= _e604) {
                                                                             let _e1574 = (_e1572 <= _e1057.member_1);
                                                                             if _e1574 {
                                                                                 let _e1575 = (1f / _e1225);
-                                                                                phi_2142_ = type_22(_e1572, (_e1219 * _e1575), (_e1223 * _e1575), _e1086);
+                                                                                phi_2228_ = type_22(_e1572, (_e1219 * _e1575), (_e1223 * _e1575), _e1086);
                                                                             } else {
-                                                                                phi_2142_ = type_22();
+                                                                                phi_2228_ = type_22();
                                                                             }
-                                                                            let _e1580 = phi_2142_;
-                                                                            phi_2144_ = _e1580;
-                                                                            phi_2145_ = select(true, false, _e1574);
+                                                                            let _e1580 = phi_2228_;
+                                                                            phi_2230_ = _e1580;
+                                                                            phi_2231_ = select(true, false, _e1574);
                                                                         } else {
-                                                                            phi_2144_ = type_22();
-                                                                            phi_2145_ = true;
+                                                                            phi_2230_ = type_22();
+                                                                            phi_2231_ = true;
                                                                         }
-                                                                        let _e1583 = phi_2144_;
-                                                                        let _e1585 = phi_2145_;
+                                                                        let _e1583 = phi_2230_;
+                                                                        let _e1585 = phi_2231_;
                                                                         if _e1585 {
-                                                                            phi_2149_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2235_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2149_ = _e1583;
+                                                                            phi_2235_ = _e1583;
                                                                         }
-                                                                        let _e1587 = phi_2149_;
-                                                                        phi_2150_ = _e1587;
+                                                                        let _e1587 = phi_2235_;
+                                                                        phi_2236_ = _e1587;
                                                                     }
-                                                                    let _e1589 = phi_2150_;
-                                                                    phi_2151_ = _e1589;
-                                                                    phi_2152_ = _e1315;
+                                                                    let _e1589 = phi_2236_;
+                                                                    phi_2237_ = _e1589;
+                                                                    phi_2238_ = _e1315;
                                                                 }
-                                                                let _e1591 = phi_2151_;
-                                                                let _e1593 = phi_2152_;
-                                                                phi_2156_ = _e1591;
-                                                                phi_2157_ = _e1593;
+                                                                let _e1591 = phi_2237_;
+                                                                let _e1593 = phi_2238_;
+                                                                phi_2242_ = _e1591;
+                                                                phi_2243_ = _e1593;
                                                             }
-                                                            let _e1595 = phi_2156_;
-                                                            let _e1597 = phi_2157_;
-                                                            phi_2158_ = _e1595;
-                                                            phi_2159_ = _e1250;
-                                                            phi_2160_ = _e1597;
+                                                            let _e1595 = phi_2242_;
+                                                            let _e1597 = phi_2243_;
+                                                            phi_2244_ = _e1595;
+                                                            phi_2245_ = _e1250;
+                                                            phi_2246_ = _e1597;
                                                         }
-                                                        let _e1599 = phi_2158_;
-                                                        let _e1601 = phi_2159_;
-                                                        let _e1603 = phi_2160_;
-                                                        phi_2161_ = _e1599;
-                                                        phi_2162_ = _e1601;
-                                                        phi_2163_ = _e1603;
+                                                        let _e1599 = phi_2244_;
+                                                        let _e1601 = phi_2245_;
+                                                        let _e1603 = phi_2246_;
+                                                        phi_2247_ = _e1599;
+                                                        phi_2248_ = _e1601;
+                                                        phi_2249_ = _e1603;
                                                     }
-                                                    let _e1605 = phi_2161_;
-                                                    let _e1607 = phi_2162_;
-                                                    let _e1609 = phi_2163_;
-                                                    phi_2171_ = _e1605;
-                                                    phi_2172_ = select(_e1609, true, _e1607);
+                                                    let _e1605 = phi_2247_;
+                                                    let _e1607 = phi_2248_;
+                                                    let _e1609 = phi_2249_;
+                                                    phi_2257_ = _e1605;
+                                                    phi_2258_ = select(_e1609, true, _e1607);
                                                 } else {
-                                                    phi_2171_ = type_22();
-                                                    phi_2172_ = true;
+                                                    phi_2257_ = type_22();
+                                                    phi_2258_ = true;
                                                 }
-                                                let _e1612 = phi_2171_;
-                                                let _e1614 = phi_2172_;
+                                                let _e1612 = phi_2257_;
+                                                let _e1614 = phi_2258_;
                                                 if _e1614 {
-                                                    phi_2176_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2262_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2176_ = _e1612;
+                                                    phi_2262_ = _e1612;
                                                 }
-                                                let _e1616 = phi_2176_;
+                                                let _e1616 = phi_2262_;
                                                 if (_e1616.member_3 != 4294967295u) {
                                                     if (_e1086 != 4294967295u) {
                                                         if (_e1616.member < _e1057.member.member) {
-                                                            phi_2202_ = true;
+                                                            phi_2288_ = true;
                                                         } else {
                                                             if (_e1616.member == _e1057.member.member) {
-                                                                phi_2201_ = (_e1616.member_3 < _e1057.member.member_3);
+                                                                phi_2287_ = (_e1616.member_3 < _e1057.member.member_3);
                                                             } else {
-                                                                phi_2201_ = false;
+                                                                phi_2287_ = false;
                                                             }
-                                                            let _e1629 = phi_2201_;
-                                                            phi_2202_ = _e1629;
+                                                            let _e1629 = phi_2287_;
+                                                            phi_2288_ = _e1629;
                                                         }
-                                                        let _e1631 = phi_2202_;
+                                                        let _e1631 = phi_2288_;
                                                         if _e1631 {
-                                                            phi_2208_ = type_33(_e1616, _e1616.member);
+                                                            phi_2294_ = type_33(_e1616, _e1616.member);
                                                         } else {
-                                                            phi_2208_ = _e1057;
+                                                            phi_2294_ = _e1057;
                                                         }
-                                                        let _e1634 = phi_2208_;
-                                                        phi_2209_ = _e1634;
+                                                        let _e1634 = phi_2294_;
+                                                        phi_2295_ = _e1634;
                                                     } else {
-                                                        phi_2209_ = _e1057;
+                                                        phi_2295_ = _e1057;
                                                     }
-                                                    let _e1636 = phi_2209_;
-                                                    phi_2210_ = _e1636;
+                                                    let _e1636 = phi_2295_;
+                                                    phi_2296_ = _e1636;
                                                 } else {
-                                                    phi_2210_ = _e1057;
+                                                    phi_2296_ = _e1057;
                                                 }
-                                                let _e1638 = phi_2210_;
-                                                phi_1201_ = _e1638;
+                                                let _e1638 = phi_2296_;
+                                                phi_1225_ = _e1638;
                                             } else {
-                                                phi_1201_ = type_33();
+                                                phi_1225_ = type_33();
                                             }
-                                            let _e1640 = phi_1201_;
+                                            let _e1640 = phi_1225_;
                                             continue;
                                             continuing {
-                                                phi_1200_ = _e1640;
-                                                phi_1203_ = _e1072;
-                                                phi_3393_ = _e636;
+                                                phi_1224_ = _e1640;
+                                                phi_1227_ = _e1072;
+                                                phi_3519_ = _e636;
                                                 break if !(_e1078);
                                             }
                                         }
-                                        let _e1643 = phi_3393_;
-                                        phi_3553_ = _e1643;
+                                        let _e1643 = phi_3519_;
+                                        phi_3679_ = _e1643;
                                         if _e1643 {
                                             break;
                                         }
-                                        phi_3557_ = _e1643;
+                                        phi_3683_ = _e1643;
                                         let _e1929 = local_11;
-                                        phi_3183_ = _e1929;
-                                        phi_3184_ = _e677;
-                                        phi_3185_ = false;
-                                        phi_3186_ = _e681;
+                                        phi_3309_ = _e1929;
+                                        phi_3310_ = false;
+                                        phi_3311_ = _e679;
+                                        phi_3312_ = _e681;
                                     } else {
-                                        let _e690 = (_e677.member_1 < _e87);
+                                        let _e690 = (_e681.member_1 < _e87);
                                         if _e690 {
                                             if _e690 {
                                             } else {
-                                                phi_3553_ = true;
+                                                phi_3679_ = true;
                                                 break;
                                             }
-                                            let _e692 = global_5.member[_e677.member_1];
-                                            phi_2229_ = _e692;
+                                            let _e692 = global_5.member[_e681.member_1];
+                                            phi_2322_ = _e692;
                                         } else {
-                                            phi_2229_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2322_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e694 = phi_2229_;
+                                        let _e694 = phi_2322_;
                                         let _e709 = ((10u * _e249) & 31u);
                                         let _e712 = ((_e694.member[0] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e720 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e121));
-                                        let _e725 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e712)) - 8388608f) * _e720)) ^ _e121)));
-                                        let _e729 = select(select(_e677.member.member_1[0], _e725, (_e725 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e712 == 1023u));
+                                        let _e720 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e121));
+                                        let _e725 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e712)) - 8388608f) * _e720)) ^ _e121)));
+                                        let _e729 = select(select(_e681.member.member_1[0], _e725, (_e725 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e712 == 1023u));
                                         let _e731 = ((10u * _e248) & 31u);
                                         let _e734 = ((_e694.member[0] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e742 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e121));
-                                        let _e747 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e734)) - 8388608f) * _e742)) ^ _e121)));
-                                        let _e751 = select(select(_e677.member.member_1[1], _e747, (_e747 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e734 == 1023u));
+                                        let _e742 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e121));
+                                        let _e747 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e734)) - 8388608f) * _e742)) ^ _e121)));
+                                        let _e751 = select(select(_e681.member.member_1[1], _e747, (_e747 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e734 == 1023u));
                                         let _e753 = ((10u * _e250) & 31u);
                                         let _e756 = ((_e694.member[0] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e764 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e121));
-                                        let _e769 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e756)) - 8388608f) * _e764)) ^ _e121)));
-                                        let _e773 = select(select(_e677.member.member_1[2], _e769, (_e769 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e756 == 1023u));
+                                        let _e764 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e121));
+                                        let _e769 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e756)) - 8388608f) * _e764)) ^ _e121)));
+                                        let _e773 = select(select(_e681.member.member_1[2], _e769, (_e769 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e756 == 1023u));
                                         let _e776 = ((_e694.member[1] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e784 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e776)) - 8388608f) * _e720)) ^ _e121)));
-                                        let _e788 = select(select(_e677.member.member_1[0], _e784, (_e784 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e776 == 1023u));
+                                        let _e784 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e776)) - 8388608f) * _e720)) ^ _e121)));
+                                        let _e788 = select(select(_e681.member.member_1[0], _e784, (_e784 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e776 == 1023u));
                                         let _e791 = ((_e694.member[1] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e799 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e791)) - 8388608f) * _e742)) ^ _e121)));
-                                        let _e803 = select(select(_e677.member.member_1[1], _e799, (_e799 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e791 == 1023u));
+                                        let _e799 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e791)) - 8388608f) * _e742)) ^ _e121)));
+                                        let _e803 = select(select(_e681.member.member_1[1], _e799, (_e799 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e791 == 1023u));
                                         let _e806 = ((_e694.member[1] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e814 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e764)) ^ _e121)));
-                                        let _e818 = select(select(_e677.member.member_1[2], _e814, (_e814 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e806 == 1023u));
+                                        let _e814 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e764)) ^ _e121)));
+                                        let _e818 = select(select(_e681.member.member_1[2], _e814, (_e814 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e806 == 1023u));
                                         let _e824 = ((_e694.member_1[0] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e832 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e720)) ^ _e121)));
-                                        let _e836 = select(select(_e677.member.member_1[0], _e832, (_e832 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e824 == 1023u));
+                                        let _e832 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e720)) ^ _e121)));
+                                        let _e836 = select(select(_e681.member.member_1[0], _e832, (_e832 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e824 == 1023u));
                                         let _e839 = ((_e694.member_1[0] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e847 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e742)) ^ _e121)));
-                                        let _e851 = select(select(_e677.member.member_1[1], _e847, (_e847 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e839 == 1023u));
+                                        let _e847 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e742)) ^ _e121)));
+                                        let _e851 = select(select(_e681.member.member_1[1], _e847, (_e847 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e839 == 1023u));
                                         let _e854 = ((_e694.member_1[0] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e862 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e764)) ^ _e121)));
-                                        let _e866 = select(select(_e677.member.member_1[2], _e862, (_e862 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e854 == 1023u));
+                                        let _e862 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e764)) ^ _e121)));
+                                        let _e866 = select(select(_e681.member.member_1[2], _e862, (_e862 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e854 == 1023u));
                                         let _e869 = ((_e694.member_1[1] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e877 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e720)) ^ _e121)));
-                                        let _e881 = select(select(_e677.member.member_1[0], _e877, (_e877 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e869 == 1023u));
+                                        let _e877 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e720)) ^ _e121)));
+                                        let _e881 = select(select(_e681.member.member_1[0], _e877, (_e877 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e869 == 1023u));
                                         let _e884 = ((_e694.member_1[1] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e892 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e884)) - 8388608f) * _e742)) ^ _e121)));
-                                        let _e896 = select(select(_e677.member.member_1[1], _e892, (_e892 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e884 == 1023u));
+                                        let _e892 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e884)) - 8388608f) * _e742)) ^ _e121)));
+                                        let _e896 = select(select(_e681.member.member_1[1], _e892, (_e892 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e884 == 1023u));
                                         let _e899 = ((_e694.member_1[1] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e907 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e899)) - 8388608f) * _e764)) ^ _e121)));
-                                        let _e911 = select(select(_e677.member.member_1[2], _e907, (_e907 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e899 == 1023u));
+                                        let _e907 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e899)) - 8388608f) * _e764)) ^ _e121)));
+                                        let _e911 = select(select(_e681.member.member_1[2], _e907, (_e907 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e899 == 1023u));
                                         let _e916 = type_49(type_47(array<f32, 3>(_e729, _e751, _e773), array<f32, 3>(_e788, _e803, _e818)), _e694.member_2);
                                         let _e921 = type_49(type_47(array<f32, 3>(_e836, _e851, _e866), array<f32, 3>(_e881, _e896, _e911)), _e694.member_3);
                                         let _e927 = ((_e729 - _e351) * _e356);
@@ -1234,188 +1234,188 @@ fn function_() {
                                         if _e1005 {
                                             if _e1006 {
                                                 if _e1007 {
-                                                    phi_3085_ = _e921;
+                                                    phi_3208_ = _e921;
                                                 } else {
-                                                    phi_3085_ = _e916;
+                                                    phi_3208_ = _e916;
                                                 }
-                                                let _e1009 = phi_3085_;
-                                                let _e1017 = (_e681 % 128u);
+                                                let _e1009 = phi_3208_;
+                                                let _e1017 = (_e679 % 128u);
                                                 let _e1018 = (_e1017 < 128u);
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3553_ = true;
+                                                    phi_3679_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1017] = _e1009.member_1;
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3553_ = true;
+                                                    phi_3679_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1017] = _e1009.member.member[0];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3553_ = true;
+                                                    phi_3679_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1017] = _e1009.member.member[1];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3553_ = true;
+                                                    phi_3679_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1017] = _e1009.member.member[2];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3553_ = true;
+                                                    phi_3679_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1017] = _e1009.member.member_1[0];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3553_ = true;
+                                                    phi_3679_ = true;
                                                     break;
                                                 }
                                                 local_1[_e1017] = _e1009.member.member_1[1];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3553_ = true;
+                                                    phi_3679_ = true;
                                                     break;
                                                 }
                                                 local[_e1017] = _e1009.member.member_1[2];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3553_ = true;
+                                                    phi_3679_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1017] = select(_e1000, _e998, (_e998 > _e1000));
+                                                local_7[_e1017] = select(_e1000, _e998, !(_e1007));
                                                 if _e1007 {
-                                                    phi_3162_ = _e916;
+                                                    phi_3285_ = _e916;
                                                 } else {
-                                                    phi_3162_ = _e921;
+                                                    phi_3285_ = _e921;
                                                 }
-                                                let _e1035 = phi_3162_;
-                                                phi_3163_ = _e1035;
-                                                phi_3164_ = (_e681 + 1u);
+                                                let _e1035 = phi_3285_;
+                                                phi_3286_ = (_e679 + 1u);
+                                                phi_3287_ = _e1035;
                                             } else {
-                                                phi_3163_ = type_49();
-                                                phi_3164_ = u32();
+                                                phi_3286_ = u32();
+                                                phi_3287_ = type_49();
                                             }
-                                            let _e1037 = phi_3163_;
-                                            let _e1039 = phi_3164_;
-                                            phi_3166_ = _e1037;
-                                            phi_3167_ = _e1039;
-                                            phi_3168_ = select(true, false, _e1006);
+                                            let _e1037 = phi_3286_;
+                                            let _e1039 = phi_3287_;
+                                            phi_3289_ = _e1037;
+                                            phi_3290_ = _e1039;
+                                            phi_3291_ = select(true, false, _e1006);
                                         } else {
-                                            phi_3166_ = type_49();
-                                            phi_3167_ = u32();
-                                            phi_3168_ = true;
+                                            phi_3289_ = u32();
+                                            phi_3290_ = type_49();
+                                            phi_3291_ = true;
                                         }
-                                        let _e1042 = phi_3166_;
-                                        let _e1044 = phi_3167_;
-                                        let _e1046 = phi_3168_;
+                                        let _e1042 = phi_3289_;
+                                        let _e1044 = phi_3290_;
+                                        let _e1046 = phi_3291_;
                                         if _e1046 {
                                             if _e1005 {
-                                                phi_3175_ = _e916;
+                                                phi_3298_ = _e916;
                                             } else {
-                                                phi_3175_ = _e921;
+                                                phi_3298_ = _e921;
                                             }
-                                            let _e1048 = phi_3175_;
-                                            phi_3180_ = _e1048;
-                                            phi_3181_ = select(_e1006, true, _e1005);
+                                            let _e1048 = phi_3298_;
+                                            phi_3303_ = select(_e1006, true, _e1005);
+                                            phi_3305_ = _e1048;
                                         } else {
-                                            phi_3180_ = _e1042;
-                                            phi_3181_ = _e679;
+                                            phi_3303_ = _e677;
+                                            phi_3305_ = _e1044;
                                         }
-                                        let _e1051 = phi_3180_;
-                                        let _e1053 = phi_3181_;
-                                        phi_3557_ = _e636;
-                                        phi_3183_ = _e638;
-                                        phi_3184_ = _e1051;
-                                        phi_3185_ = _e1053;
-                                        phi_3186_ = select(_e1044, _e681, _e1046);
+                                        let _e1051 = phi_3303_;
+                                        let _e1053 = phi_3305_;
+                                        phi_3683_ = _e636;
+                                        phi_3309_ = _e638;
+                                        phi_3310_ = _e1051;
+                                        phi_3311_ = select(_e1042, _e679, _e1046);
+                                        phi_3312_ = _e1053;
                                     }
-                                    let _e1645 = phi_3557_;
-                                    let _e1647 = phi_3183_;
-                                    let _e1649 = phi_3184_;
-                                    let _e1651 = phi_3185_;
-                                    let _e1653 = phi_3186_;
-                                    phi_3556_ = _e1645;
-                                    phi_3187_ = _e1647;
-                                    phi_3188_ = _e1649;
-                                    phi_3189_ = (_e642 - 1u);
-                                    phi_3190_ = _e1651;
-                                    phi_3191_ = _e1653;
+                                    let _e1645 = phi_3683_;
+                                    let _e1647 = phi_3309_;
+                                    let _e1649 = phi_3310_;
+                                    let _e1651 = phi_3311_;
+                                    let _e1653 = phi_3312_;
+                                    phi_3682_ = _e1645;
+                                    phi_3313_ = _e1647;
+                                    phi_3314_ = _e1649;
+                                    phi_3315_ = (_e642 - 1u);
+                                    phi_3316_ = _e1651;
+                                    phi_3317_ = _e1653;
                                 } else {
-                                    phi_3556_ = _e636;
-                                    phi_3187_ = _e638;
-                                    phi_3188_ = _e677;
-                                    phi_3189_ = _e642;
-                                    phi_3190_ = _e679;
-                                    phi_3191_ = _e681;
+                                    phi_3682_ = _e636;
+                                    phi_3313_ = _e638;
+                                    phi_3314_ = _e677;
+                                    phi_3315_ = _e642;
+                                    phi_3316_ = _e679;
+                                    phi_3317_ = _e681;
                                 }
-                                let _e1655 = phi_3556_;
-                                let _e1657 = phi_3187_;
-                                let _e1659 = phi_3188_;
-                                let _e1661 = phi_3189_;
-                                let _e1663 = phi_3190_;
-                                let _e1665 = phi_3191_;
-                                phi_3555_ = _e1655;
-                                phi_3192_ = _e1657;
-                                phi_3193_ = _e1659;
-                                phi_3194_ = _e1661;
-                                phi_3195_ = _e1663;
-                                phi_3196_ = _e1665;
+                                let _e1655 = phi_3682_;
+                                let _e1657 = phi_3313_;
+                                let _e1659 = phi_3314_;
+                                let _e1661 = phi_3315_;
+                                let _e1663 = phi_3316_;
+                                let _e1665 = phi_3317_;
+                                phi_3681_ = _e1655;
+                                phi_3318_ = _e1657;
+                                phi_3319_ = _e1659;
+                                phi_3320_ = _e1661;
+                                phi_3321_ = _e1663;
+                                phi_3322_ = _e1665;
                             } else {
-                                phi_3555_ = _e636;
-                                phi_3192_ = type_33();
-                                phi_3193_ = type_49();
-                                phi_3194_ = u32();
-                                phi_3195_ = bool();
-                                phi_3196_ = u32();
+                                phi_3681_ = _e636;
+                                phi_3318_ = type_33();
+                                phi_3319_ = bool();
+                                phi_3320_ = u32();
+                                phi_3321_ = u32();
+                                phi_3322_ = type_49();
                             }
-                            let _e1667 = phi_3555_;
-                            let _e1669 = phi_3192_;
-                            let _e1671 = phi_3193_;
-                            let _e1673 = phi_3194_;
-                            let _e1675 = phi_3195_;
-                            let _e1677 = phi_3196_;
-                            phi_3554_ = _e1667;
-                            phi_1075_ = _e1669;
-                            phi_1078_ = _e1671;
-                            phi_1080_ = _e1673;
-                            phi_1082_ = _e1675;
-                            phi_1084_ = _e1677;
-                            phi_3197_ = _e650;
+                            let _e1667 = phi_3681_;
+                            let _e1669 = phi_3318_;
+                            let _e1671 = phi_3319_;
+                            let _e1673 = phi_3320_;
+                            let _e1675 = phi_3321_;
+                            let _e1677 = phi_3322_;
+                            phi_3680_ = _e1667;
+                            phi_1099_ = _e1669;
+                            phi_1102_ = _e1671;
+                            phi_1104_ = _e1673;
+                            phi_1106_ = _e1675;
+                            phi_1108_ = _e1677;
+                            phi_3323_ = _e650;
                         } else {
-                            phi_3554_ = _e636;
-                            phi_1075_ = type_33();
-                            phi_1078_ = type_49();
-                            phi_1080_ = u32();
-                            phi_1082_ = bool();
-                            phi_1084_ = u32();
-                            phi_3197_ = false;
+                            phi_3680_ = _e636;
+                            phi_1099_ = type_33();
+                            phi_1102_ = bool();
+                            phi_1104_ = u32();
+                            phi_1106_ = u32();
+                            phi_1108_ = type_49();
+                            phi_3323_ = false;
                         }
-                        let _e1679 = phi_3554_;
-                        let _e1681 = phi_1075_;
-                        let _e1683 = phi_1078_;
-                        let _e1685 = phi_1080_;
-                        let _e1687 = phi_1082_;
-                        let _e1689 = phi_1084_;
-                        let _e1691 = phi_3197_;
+                        let _e1679 = phi_3680_;
+                        let _e1681 = phi_1099_;
+                        let _e1683 = phi_1102_;
+                        let _e1685 = phi_1104_;
+                        let _e1687 = phi_1106_;
+                        let _e1689 = phi_1108_;
+                        let _e1691 = phi_3323_;
                         continue;
                         continuing {
-                            phi_3399_ = _e1679;
-                            phi_1074_ = _e1681;
-                            phi_1077_ = _e1683;
-                            phi_1079_ = _e1685;
-                            phi_1081_ = _e1687;
-                            phi_1083_ = _e1689;
-                            phi_3553_ = _e1679;
+                            phi_3525_ = _e1679;
+                            phi_1098_ = _e1681;
+                            phi_1101_ = _e1683;
+                            phi_1103_ = _e1685;
+                            phi_1105_ = _e1687;
+                            phi_1107_ = _e1689;
+                            phi_3679_ = _e1679;
                             break if !(_e1691);
                         }
                     }
-                    let _e1694 = phi_3553_;
+                    let _e1694 = phi_3679_;
                     if _e1694 {
                         break;
                     }
@@ -1426,110 +1426,110 @@ fn function_() {
                         let _e1706 = (bitcast<i32>((_e1702 >> bitcast<u32>(23i))) & 255i);
                         let _e1707 = (_e1706 + _e1701);
                         if (_e1706 == 255i) {
-                            phi_3256_ = _e1696.member.member;
+                            phi_3382_ = _e1696.member.member;
                         } else {
                             if (_e1706 > 0i) {
                                 if (_e1707 > 0i) {
                                     let _e1711 = (_e1707 < 255i);
                                     if _e1711 {
-                                        phi_3235_ = bitcast<f32>((_e1702 + bitcast<u32>((_e1701 << bitcast<u32>(23i)))));
+                                        phi_3361_ = bitcast<f32>((_e1702 + bitcast<u32>((_e1701 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3235_ = f32();
+                                        phi_3361_ = f32();
                                     }
-                                    let _e1718 = phi_3235_;
-                                    phi_3237_ = _e1718;
-                                    phi_3238_ = select(true, false, _e1711);
+                                    let _e1718 = phi_3361_;
+                                    phi_3363_ = _e1718;
+                                    phi_3364_ = select(true, false, _e1711);
                                 } else {
-                                    phi_3237_ = f32();
-                                    phi_3238_ = true;
+                                    phi_3363_ = f32();
+                                    phi_3364_ = true;
                                 }
-                                let _e1721 = phi_3237_;
-                                let _e1723 = phi_3238_;
-                                phi_3239_ = _e1721;
-                                phi_3240_ = _e1723;
+                                let _e1721 = phi_3363_;
+                                let _e1723 = phi_3364_;
+                                phi_3365_ = _e1721;
+                                phi_3366_ = _e1723;
                             } else {
-                                phi_3239_ = f32();
-                                phi_3240_ = true;
+                                phi_3365_ = f32();
+                                phi_3366_ = true;
                             }
-                            let _e1725 = phi_3239_;
-                            let _e1727 = phi_3240_;
+                            let _e1725 = phi_3365_;
+                            let _e1727 = phi_3366_;
                             if _e1727 {
                                 let _e1728 = (_e1702 & 2147483648u);
                                 let _e1735 = ((_e1702 & 8388607u) | (select(0u, 1u, ((_e1702 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                 let _e1739 = (_e1735 == 0u);
                                 if _e1739 {
-                                    phi_3363_ = bitcast<f32>(_e1728);
+                                    phi_3489_ = bitcast<f32>(_e1728);
                                 } else {
                                     let _e1744 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1735)), 32u, _e1739) - 8u);
                                     let _e1747 = (_e1735 << bitcast<u32>((_e1744 & 31u)));
                                     let _e1749 = ((_e1707 + select(0i, 1i, (_e1706 == 0i))) - bitcast<i32>(_e1744));
                                     if (_e1749 >= 255i) {
-                                        phi_3353_ = bitcast<f32>((_e1728 | 2139095040u));
-                                        phi_3354_ = f32();
-                                        phi_3355_ = true;
+                                        phi_3479_ = bitcast<f32>((_e1728 | 2139095040u));
+                                        phi_3480_ = f32();
+                                        phi_3481_ = true;
                                     } else {
                                         let _e1751 = (_e1749 > 0i);
                                         if _e1751 {
-                                            phi_3347_ = bitcast<f32>(((_e1728 | (bitcast<u32>(_e1749) << bitcast<u32>(23i))) | (_e1747 & 8388607u)));
-                                            phi_3348_ = f32();
+                                            phi_3473_ = bitcast<f32>(((_e1728 | (bitcast<u32>(_e1749) << bitcast<u32>(23i))) | (_e1747 & 8388607u)));
+                                            phi_3474_ = f32();
                                         } else {
                                             if (_e1749 < -24i) {
-                                                phi_3313_ = 26u;
+                                                phi_3439_ = 26u;
                                             } else {
-                                                phi_3313_ = bitcast<u32>((1i - _e1749));
+                                                phi_3439_ = bitcast<u32>((1i - _e1749));
                                             }
-                                            let _e1756 = phi_3313_;
+                                            let _e1756 = phi_3439_;
                                             let _e1757 = (_e1756 & 31u);
                                             let _e1759 = (_e1747 >> bitcast<u32>(_e1757));
                                             let _e1763 = (_e1747 & ((1u << bitcast<u32>(_e1757)) - 1u));
                                             let _e1767 = (1u << bitcast<u32>(((_e1756 - 1u) & 31u)));
                                             if (_e1763 > _e1767) {
-                                                phi_3334_ = true;
+                                                phi_3460_ = true;
                                             } else {
                                                 if (_e1763 == _e1767) {
-                                                    phi_3331_ = ((_e1759 & 1u) == 1u);
+                                                    phi_3457_ = ((_e1759 & 1u) == 1u);
                                                 } else {
-                                                    phi_3331_ = false;
+                                                    phi_3457_ = false;
                                                 }
-                                                let _e1773 = phi_3331_;
-                                                phi_3334_ = _e1773;
+                                                let _e1773 = phi_3457_;
+                                                phi_3460_ = _e1773;
                                             }
-                                            let _e1775 = phi_3334_;
-                                            phi_3347_ = f32();
-                                            phi_3348_ = bitcast<f32>((_e1728 | (_e1759 + select(0u, 1u, _e1775))));
+                                            let _e1775 = phi_3460_;
+                                            phi_3473_ = f32();
+                                            phi_3474_ = bitcast<f32>((_e1728 | (_e1759 + select(0u, 1u, _e1775))));
                                         }
-                                        let _e1788 = phi_3347_;
-                                        let _e1790 = phi_3348_;
-                                        phi_3353_ = _e1788;
-                                        phi_3354_ = _e1790;
-                                        phi_3355_ = _e1751;
+                                        let _e1788 = phi_3473_;
+                                        let _e1790 = phi_3474_;
+                                        phi_3479_ = _e1788;
+                                        phi_3480_ = _e1790;
+                                        phi_3481_ = _e1751;
                                     }
-                                    let _e1794 = phi_3353_;
-                                    let _e1796 = phi_3354_;
-                                    let _e1798 = phi_3355_;
-                                    phi_3363_ = select(_e1796, _e1794, _e1798);
+                                    let _e1794 = phi_3479_;
+                                    let _e1796 = phi_3480_;
+                                    let _e1798 = phi_3481_;
+                                    phi_3489_ = select(_e1796, _e1794, _e1798);
                                 }
-                                let _e1802 = phi_3363_;
-                                phi_3255_ = _e1802;
+                                let _e1802 = phi_3489_;
+                                phi_3381_ = _e1802;
                             } else {
-                                phi_3255_ = _e1725;
+                                phi_3381_ = _e1725;
                             }
-                            let _e1804 = phi_3255_;
-                            phi_3256_ = _e1804;
+                            let _e1804 = phi_3381_;
+                            phi_3382_ = _e1804;
                         }
-                        let _e1806 = phi_3256_;
+                        let _e1806 = phi_3382_;
                         let _e1807 = bitcast<u32>(_e1806);
                         if ((_e1807 & 2147483647u) >= 2139095040u) {
-                            phi_3268_ = bitcast<f32>(((_e1807 & 2147483648u) | 2139095039u));
+                            phi_3394_ = bitcast<f32>(((_e1807 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3268_ = _e1806;
+                            phi_3394_ = _e1806;
                         }
-                        let _e1814 = phi_3268_;
-                        phi_3273_ = type_22(_e1814, _e1696.member.member_1, _e1696.member.member_2, _e1696.member.member_3);
+                        let _e1814 = phi_3394_;
+                        phi_3399_ = type_22(_e1814, _e1696.member.member_1, _e1696.member.member_2, _e1696.member.member_3);
                     } else {
-                        phi_3273_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3399_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1819 = phi_3273_;
+                    let _e1819 = phi_3399_;
                     if _e137 {
                     } else {
                         break;

@@ -93,154 +93,154 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_416_: i32;
-    var phi_417_: i32;
-    var phi_427_: bool;
-    var phi_437_: u32;
-    var phi_438_: u32;
-    var phi_440_: bool;
-    var phi_445_: u32;
-    var phi_457_: i32;
-    var phi_477_: i32;
-    var phi_495_: f32;
-    var phi_501_: f32;
-    var phi_541_: f32;
-    var phi_547_: f32;
-    var phi_599_: f32;
-    var phi_610_: f32;
-    var phi_619_: f32;
-    var phi_625_: f32;
-    var phi_665_: f32;
-    var phi_671_: f32;
-    var phi_723_: f32;
+    var phi_425_: i32;
+    var phi_426_: i32;
+    var phi_436_: bool;
+    var phi_446_: u32;
+    var phi_447_: u32;
+    var phi_449_: bool;
+    var phi_454_: u32;
+    var phi_467_: i32;
+    var phi_487_: i32;
+    var phi_505_: f32;
+    var phi_511_: f32;
+    var phi_551_: f32;
+    var phi_557_: f32;
+    var phi_609_: f32;
+    var phi_621_: f32;
+    var phi_630_: f32;
+    var phi_636_: f32;
+    var phi_676_: f32;
+    var phi_682_: f32;
     var phi_734_: f32;
-    var phi_743_: f32;
-    var phi_749_: f32;
-    var phi_789_: f32;
-    var phi_795_: f32;
-    var phi_847_: f32;
-    var phi_858_: f32;
-    var phi_913_: i32;
-    var phi_935_: u32;
-    var phi_936_: u32;
-    var phi_973_: i32;
-    var phi_995_: u32;
-    var phi_996_: u32;
-    var phi_1004_: f32;
-    var phi_1005_: f32;
-    var phi_3588_: bool;
-    var phi_1078_: type_29;
-    var phi_1081_: type_50;
-    var phi_1083_: u32;
-    var phi_1085_: bool;
-    var phi_1087_: u32;
-    var phi_1098_: bool;
-    var phi_1184_: type_50;
-    var phi_1185_: bool;
-    var phi_1186_: u32;
-    var phi_2418_: type_37;
-    var phi_3274_: type_50;
-    var phi_3351_: type_50;
-    var phi_3352_: type_50;
-    var phi_3353_: u32;
-    var phi_3355_: type_50;
-    var phi_3356_: u32;
-    var phi_3357_: bool;
-    var phi_3364_: type_50;
-    var phi_3369_: type_50;
-    var phi_3370_: bool;
-    var phi_1205_: type_29;
-    var phi_1208_: type_4;
-    var phi_1209_: type_4;
+    var phi_746_: f32;
+    var phi_755_: f32;
+    var phi_761_: f32;
+    var phi_801_: f32;
+    var phi_807_: f32;
+    var phi_859_: f32;
+    var phi_871_: f32;
+    var phi_926_: i32;
+    var phi_948_: u32;
+    var phi_949_: u32;
+    var phi_986_: i32;
+    var phi_1008_: u32;
+    var phi_1009_: u32;
+    var phi_1017_: f32;
+    var phi_1018_: f32;
+    var phi_3719_: bool;
+    var phi_1101_: type_29;
+    var phi_1104_: bool;
+    var phi_1106_: u32;
+    var phi_1108_: u32;
+    var phi_1110_: type_50;
+    var phi_1121_: bool;
+    var phi_1207_: bool;
+    var phi_1208_: u32;
+    var phi_1209_: type_50;
+    var phi_2516_: type_37;
+    var phi_3402_: type_50;
+    var phi_3479_: type_50;
+    var phi_3480_: u32;
+    var phi_3481_: type_50;
+    var phi_3483_: u32;
+    var phi_3484_: type_50;
+    var phi_3485_: bool;
+    var phi_3492_: type_50;
+    var phi_3497_: bool;
+    var phi_3499_: type_50;
+    var phi_1228_: type_29;
     var phi_1231_: type_4;
-    var phi_1256_: u32;
-    var phi_1272_: type_44;
-    var phi_1666_: bool;
-    var phi_1695_: bool;
-    var phi_2072_: f32;
-    var phi_2073_: f32;
-    var phi_2074_: f32;
-    var phi_2075_: f32;
-    var phi_2076_: vec3<f32>;
-    var phi_2077_: vec3<f32>;
-    var phi_2078_: vec3<f32>;
-    var phi_2079_: vec3<f32>;
-    var phi_2110_: bool;
-    var phi_2119_: vec3<f32>;
-    var phi_2284_: f32;
-    var phi_2286_: f32;
-    var phi_2287_: bool;
-    var phi_2307_: f32;
-    var phi_2308_: f32;
-    var phi_2331_: type_18;
-    var phi_2333_: type_18;
-    var phi_2334_: bool;
-    var phi_2338_: type_18;
-    var phi_2339_: type_18;
-    var phi_2340_: type_18;
-    var phi_2341_: bool;
-    var phi_2345_: type_18;
-    var phi_2346_: bool;
-    var phi_2347_: type_18;
-    var phi_2348_: bool;
-    var phi_2349_: bool;
-    var phi_2350_: type_18;
-    var phi_2351_: bool;
-    var phi_2352_: bool;
-    var phi_2360_: type_18;
-    var phi_2361_: bool;
-    var phi_2365_: type_18;
-    var phi_2390_: bool;
-    var phi_2391_: bool;
-    var phi_2397_: type_29;
-    var phi_2398_: type_29;
-    var phi_2399_: type_29;
-    var phi_1206_: type_29;
-    var phi_3582_: bool;
-    var phi_3764_: bool;
-    var phi_3372_: type_29;
-    var phi_3373_: type_50;
-    var phi_3374_: bool;
-    var phi_3375_: u32;
-    var phi_3763_: bool;
-    var phi_3376_: type_29;
-    var phi_3377_: type_50;
-    var phi_3378_: u32;
-    var phi_3379_: bool;
-    var phi_3380_: u32;
-    var phi_3762_: bool;
-    var phi_3381_: type_29;
-    var phi_3382_: type_50;
-    var phi_3383_: u32;
-    var phi_3384_: bool;
-    var phi_3385_: u32;
-    var phi_3761_: bool;
-    var phi_1079_: type_29;
-    var phi_1082_: type_50;
-    var phi_1084_: u32;
-    var phi_1086_: bool;
-    var phi_1088_: u32;
-    var phi_3386_: bool;
-    var phi_3760_: bool;
+    var phi_1232_: type_4;
+    var phi_1254_: type_4;
+    var phi_1279_: u32;
+    var phi_1295_: type_44;
+    var phi_1733_: bool;
+    var phi_1762_: bool;
+    var phi_2157_: f32;
+    var phi_2158_: f32;
+    var phi_2159_: f32;
+    var phi_2160_: f32;
+    var phi_2161_: vec3<f32>;
+    var phi_2162_: vec3<f32>;
+    var phi_2163_: vec3<f32>;
+    var phi_2164_: vec3<f32>;
+    var phi_2201_: bool;
+    var phi_2210_: vec3<f32>;
+    var phi_2375_: f32;
+    var phi_2377_: f32;
+    var phi_2378_: bool;
+    var phi_2398_: f32;
+    var phi_2399_: f32;
+    var phi_2422_: type_18;
+    var phi_2424_: type_18;
+    var phi_2425_: bool;
+    var phi_2429_: type_18;
+    var phi_2430_: type_18;
+    var phi_2431_: type_18;
+    var phi_2432_: bool;
+    var phi_2436_: type_18;
+    var phi_2437_: bool;
+    var phi_2438_: type_18;
+    var phi_2439_: bool;
+    var phi_2440_: bool;
+    var phi_2441_: type_18;
+    var phi_2442_: bool;
+    var phi_2443_: bool;
+    var phi_2451_: type_18;
+    var phi_2452_: bool;
+    var phi_2456_: type_18;
+    var phi_2481_: bool;
+    var phi_2482_: bool;
+    var phi_2488_: type_29;
+    var phi_2489_: type_29;
+    var phi_2490_: type_29;
+    var phi_1229_: type_29;
+    var phi_3713_: bool;
+    var phi_3895_: bool;
+    var phi_3503_: type_29;
+    var phi_3504_: bool;
+    var phi_3505_: u32;
+    var phi_3506_: type_50;
+    var phi_3894_: bool;
+    var phi_3507_: type_29;
+    var phi_3508_: bool;
+    var phi_3509_: u32;
+    var phi_3510_: u32;
+    var phi_3511_: type_50;
+    var phi_3893_: bool;
+    var phi_3512_: type_29;
+    var phi_3513_: bool;
+    var phi_3514_: u32;
+    var phi_3515_: u32;
+    var phi_3516_: type_50;
+    var phi_3892_: bool;
+    var phi_1102_: type_29;
+    var phi_1105_: bool;
+    var phi_1107_: u32;
+    var phi_1109_: u32;
+    var phi_1111_: type_50;
+    var phi_3517_: bool;
+    var phi_3891_: bool;
     var local_10: type_29;
-    var phi_3424_: f32;
-    var phi_3426_: f32;
-    var phi_3427_: bool;
-    var phi_3428_: f32;
-    var phi_3429_: bool;
-    var phi_3502_: u32;
-    var phi_3520_: bool;
-    var phi_3523_: bool;
-    var phi_3536_: f32;
-    var phi_3537_: f32;
-    var phi_3542_: f32;
-    var phi_3543_: f32;
-    var phi_3544_: bool;
-    var phi_3552_: f32;
-    var phi_3444_: f32;
-    var phi_3445_: f32;
-    var phi_3457_: f32;
-    var phi_3462_: type_18;
+    var phi_3555_: f32;
+    var phi_3557_: f32;
+    var phi_3558_: bool;
+    var phi_3559_: f32;
+    var phi_3560_: bool;
+    var phi_3633_: u32;
+    var phi_3651_: bool;
+    var phi_3654_: bool;
+    var phi_3667_: f32;
+    var phi_3668_: f32;
+    var phi_3673_: f32;
+    var phi_3674_: f32;
+    var phi_3675_: bool;
+    var phi_3683_: f32;
+    var phi_3575_: f32;
+    var phi_3576_: f32;
+    var phi_3588_: f32;
+    var phi_3593_: type_18;
     var local_11: type_29;
 
     switch bitcast<i32>(0u) {
@@ -292,211 +292,211 @@ fn function_() {
                     if _e210 {
                         let _e213 = (bitcast<u32>(bitcast<f32>(_e185)) & 2147483647u);
                         if (_e213 >= 8388608u) {
-                            phi_416_ = (bitcast<i32>((_e213 >> bitcast<u32>(23i))) - 127i);
+                            phi_425_ = (bitcast<i32>((_e213 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_416_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e213)), 32u, (_e213 == 0u))));
+                            phi_425_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e213)), 32u, (_e213 == 0u))));
                         }
-                        let _e227 = phi_416_;
-                        phi_417_ = _e227;
+                        let _e227 = phi_425_;
+                        phi_426_ = _e227;
                     } else {
-                        phi_417_ = 0i;
+                        phi_426_ = 0i;
                     }
-                    let _e229 = phi_417_;
+                    let _e229 = phi_426_;
                     let _e230 = (_e146 == _e185);
                     if _e230 {
-                        phi_427_ = true;
+                        phi_436_ = true;
                     } else {
-                        phi_427_ = (_e153 == _e185);
+                        phi_436_ = (_e153 == _e185);
                     }
-                    let _e233 = phi_427_;
+                    let _e233 = phi_436_;
                     let _e234 = select(1u, 0u, _e230);
                     if _e233 {
                         let _e235 = (_e234 + 1u);
-                        phi_437_ = _e235;
-                        phi_438_ = _e235;
-                        phi_440_ = select(true, false, (_e235 == 2u));
+                        phi_446_ = _e235;
+                        phi_447_ = _e235;
+                        phi_449_ = select(true, false, (_e235 == 2u));
                     } else {
-                        phi_437_ = u32();
-                        phi_438_ = 0u;
-                        phi_440_ = true;
+                        phi_446_ = u32();
+                        phi_447_ = 0u;
+                        phi_449_ = true;
                     }
-                    let _e239 = phi_437_;
-                    let _e241 = phi_438_;
-                    let _e243 = phi_440_;
+                    let _e239 = phi_446_;
+                    let _e241 = phi_447_;
+                    let _e243 = phi_449_;
                     if _e243 {
-                        phi_445_ = (_e241 + 1u);
+                        phi_454_ = (_e241 + 1u);
                     } else {
-                        phi_445_ = 0u;
+                        phi_454_ = 0u;
                     }
-                    let _e247 = phi_445_;
+                    let _e247 = phi_454_;
                     let _e248 = select(_e239, _e241, _e243);
                     let _e249 = select(_e234, select(2u, _e234, _e233), _e243);
                     if (_e124 < -126i) {
-                        phi_457_ = -126i;
+                        phi_467_ = -126i;
                     } else {
-                        phi_457_ = select(_e124, 127i, (_e124 > 127i));
+                        phi_467_ = select(_e124, 127i, (_e124 > 127i));
                     }
-                    let _e254 = phi_457_;
+                    let _e254 = phi_467_;
                     let _e259 = bitcast<f32>((bitcast<u32>((_e254 + 127i)) << bitcast<u32>(23i)));
                     let _e265 = bitcast<f32>((bitcast<u32>(((_e124 - _e254) + 127i)) << bitcast<u32>(23i)));
                     let _e266 = -(_e229);
                     if (_e266 < -126i) {
-                        phi_477_ = -126i;
+                        phi_487_ = -126i;
                     } else {
-                        phi_477_ = select(_e266, 127i, (_e266 > 127i));
+                        phi_487_ = select(_e266, 127i, (_e266 > 127i));
                     }
-                    let _e271 = phi_477_;
+                    let _e271 = phi_487_;
                     let _e276 = bitcast<f32>((bitcast<u32>((_e271 + 127i)) << bitcast<u32>(23i)));
                     let _e282 = bitcast<f32>((bitcast<u32>(((_e266 - _e271) + 127i)) << bitcast<u32>(23i)));
                     let _e286 = global_3.member[_e134].member;
                     let _e287 = (_e248 == 0u);
                     if _e287 {
-                        phi_495_ = _e286[0];
+                        phi_505_ = _e286[0];
                     } else {
-                        phi_495_ = _e286[1];
+                        phi_505_ = _e286[1];
                     }
-                    let _e291 = phi_495_;
+                    let _e291 = phi_505_;
                     let _e292 = (_e248 == 2u);
                     if _e292 {
-                        phi_501_ = _e286[2];
+                        phi_511_ = _e286[2];
                     } else {
-                        phi_501_ = _e291;
+                        phi_511_ = _e291;
                     }
-                    let _e295 = phi_501_;
+                    let _e295 = phi_511_;
                     let _e296 = bitcast<u32>(_e295);
                     let _e298 = ((_e296 & 2139095040u) != 0u);
                     let _e312 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e296 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e296 & 2147483648u))), _e295, _e298) * _e259) * select(0.00000011920929f, 1f, _e298)) * _e265);
                     let _e313 = global_3.member[_e134].member_2;
                     if _e287 {
-                        phi_541_ = _e313[0];
+                        phi_551_ = _e313[0];
                     } else {
-                        phi_541_ = _e313[1];
+                        phi_551_ = _e313[1];
                     }
-                    let _e317 = phi_541_;
+                    let _e317 = phi_551_;
                     if _e292 {
-                        phi_547_ = _e313[2];
+                        phi_557_ = _e313[2];
                     } else {
-                        phi_547_ = _e317;
+                        phi_557_ = _e317;
                     }
-                    let _e320 = phi_547_;
+                    let _e320 = phi_557_;
                     let _e321 = bitcast<u32>(_e320);
                     let _e323 = ((_e321 & 2139095040u) != 0u);
                     let _e337 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e320, _e323) * _e276) * select(0.00000011920929f, 1f, _e323)) * _e282);
                     let _e341 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e341 {
                         let _e345 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
-                        phi_599_ = select(0.00000000000011368684f, _e345, (_e345 > 0.00000000000011368684f));
+                        phi_609_ = select(0.00000000000011368684f, _e345, (_e345 > 0.00000000000011368684f));
                     } else {
-                        phi_599_ = 0f;
+                        phi_609_ = 0f;
                     }
-                    let _e349 = phi_599_;
+                    let _e349 = phi_609_;
                     let _e350 = (_e312 + _e349);
                     let _e351 = (_e312 - _e349);
                     let _e352 = select(_e337, 0f, _e341);
                     if _e341 {
-                        phi_610_ = 38685626000000000000000000f;
+                        phi_621_ = 38685626000000000000000000f;
                     } else {
-                        phi_610_ = (1f / _e337);
+                        phi_621_ = (1f / _e337);
                     }
-                    let _e355 = phi_610_;
+                    let _e355 = phi_621_;
                     let _e356 = (_e247 == 0u);
                     if _e356 {
-                        phi_619_ = _e286[0];
+                        phi_630_ = _e286[0];
                     } else {
-                        phi_619_ = _e286[1];
+                        phi_630_ = _e286[1];
                     }
-                    let _e360 = phi_619_;
+                    let _e360 = phi_630_;
                     let _e361 = (_e247 == 2u);
                     if _e361 {
-                        phi_625_ = _e286[2];
+                        phi_636_ = _e286[2];
                     } else {
-                        phi_625_ = _e360;
+                        phi_636_ = _e360;
                     }
-                    let _e364 = phi_625_;
+                    let _e364 = phi_636_;
                     let _e365 = bitcast<u32>(_e364);
                     let _e367 = ((_e365 & 2139095040u) != 0u);
                     let _e381 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e365 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e365 & 2147483648u))), _e364, _e367) * _e259) * select(0.00000011920929f, 1f, _e367)) * _e265);
                     if _e356 {
-                        phi_665_ = _e313[0];
+                        phi_676_ = _e313[0];
                     } else {
-                        phi_665_ = _e313[1];
+                        phi_676_ = _e313[1];
                     }
-                    let _e385 = phi_665_;
+                    let _e385 = phi_676_;
                     if _e361 {
-                        phi_671_ = _e313[2];
+                        phi_682_ = _e313[2];
                     } else {
-                        phi_671_ = _e385;
+                        phi_682_ = _e385;
                     }
-                    let _e388 = phi_671_;
+                    let _e388 = phi_682_;
                     let _e389 = bitcast<u32>(_e388);
                     let _e391 = ((_e389 & 2139095040u) != 0u);
                     let _e405 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e389 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e389 & 2147483648u))), _e388, _e391) * _e276) * select(0.00000011920929f, 1f, _e391)) * _e282);
                     let _e409 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e409 {
                         let _e413 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) * 0.00000011920929f);
-                        phi_723_ = select(0.00000000000011368684f, _e413, (_e413 > 0.00000000000011368684f));
+                        phi_734_ = select(0.00000000000011368684f, _e413, (_e413 > 0.00000000000011368684f));
                     } else {
-                        phi_723_ = 0f;
+                        phi_734_ = 0f;
                     }
-                    let _e417 = phi_723_;
+                    let _e417 = phi_734_;
                     let _e418 = (_e381 + _e417);
                     let _e419 = (_e381 - _e417);
                     let _e420 = select(_e405, 0f, _e409);
                     if _e409 {
-                        phi_734_ = 38685626000000000000000000f;
+                        phi_746_ = 38685626000000000000000000f;
                     } else {
-                        phi_734_ = (1f / _e405);
+                        phi_746_ = (1f / _e405);
                     }
-                    let _e423 = phi_734_;
+                    let _e423 = phi_746_;
                     let _e424 = (_e249 == 0u);
                     if _e424 {
-                        phi_743_ = _e286[0];
+                        phi_755_ = _e286[0];
                     } else {
-                        phi_743_ = _e286[1];
+                        phi_755_ = _e286[1];
                     }
-                    let _e428 = phi_743_;
+                    let _e428 = phi_755_;
                     let _e429 = (_e249 == 2u);
                     if _e429 {
-                        phi_749_ = _e286[2];
+                        phi_761_ = _e286[2];
                     } else {
-                        phi_749_ = _e428;
+                        phi_761_ = _e428;
                     }
-                    let _e432 = phi_749_;
+                    let _e432 = phi_761_;
                     let _e433 = bitcast<u32>(_e432);
                     let _e435 = ((_e433 & 2139095040u) != 0u);
                     let _e449 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e433 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e433 & 2147483648u))), _e432, _e435) * _e259) * select(0.00000011920929f, 1f, _e435)) * _e265);
                     if _e424 {
-                        phi_789_ = _e313[0];
+                        phi_801_ = _e313[0];
                     } else {
-                        phi_789_ = _e313[1];
+                        phi_801_ = _e313[1];
                     }
-                    let _e453 = phi_789_;
+                    let _e453 = phi_801_;
                     if _e429 {
-                        phi_795_ = _e313[2];
+                        phi_807_ = _e313[2];
                     } else {
-                        phi_795_ = _e453;
+                        phi_807_ = _e453;
                     }
-                    let _e456 = phi_795_;
+                    let _e456 = phi_807_;
                     let _e457 = bitcast<u32>(_e456);
                     let _e459 = ((_e457 & 2139095040u) != 0u);
                     let _e473 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e457 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e457 & 2147483648u))), _e456, _e459) * _e276) * select(0.00000011920929f, 1f, _e459)) * _e282);
                     let _e477 = (bitcast<f32>((bitcast<u32>(_e473) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e477 {
                         let _e481 = (bitcast<f32>((bitcast<u32>(_e449) & 2147483647u)) * 0.00000011920929f);
-                        phi_847_ = select(0.00000000000011368684f, _e481, (_e481 > 0.00000000000011368684f));
+                        phi_859_ = select(0.00000000000011368684f, _e481, (_e481 > 0.00000000000011368684f));
                     } else {
-                        phi_847_ = 0f;
+                        phi_859_ = 0f;
                     }
-                    let _e485 = phi_847_;
+                    let _e485 = phi_859_;
                     let _e486 = (_e449 + _e485);
                     let _e487 = (_e449 - _e485);
                     let _e488 = select(_e473, 0f, _e477);
                     if _e477 {
-                        phi_858_ = 38685626000000000000000000f;
+                        phi_871_ = 38685626000000000000000000f;
                     } else {
-                        phi_858_ = (1f / _e473);
+                        phi_871_ = (1f / _e473);
                     }
-                    let _e491 = phi_858_;
+                    let _e491 = phi_871_;
                     let _e494 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
                     let _e497 = bitcast<f32>((bitcast<u32>(_e381) & 2147483647u));
                     let _e499 = select(_e497, _e494, (_e494 > _e497));
@@ -508,55 +508,55 @@ fn function_() {
                         let _e522 = (_e515 == 0u);
                         let _e525 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e515)), 32u, _e522)) - 8i);
                         if (_e518 == 255i) {
-                            phi_913_ = 255i;
+                            phi_926_ = 255i;
                         } else {
-                            phi_913_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e505);
+                            phi_926_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e505);
                         }
-                        let _e533 = phi_913_;
+                        let _e533 = phi_926_;
                         let _e543 = (_e533 <= 0i);
                         if _e543 {
-                            phi_936_ = u32();
+                            phi_949_ = u32();
                         } else {
                             if _e522 {
-                                phi_935_ = u32();
+                                phi_948_ = u32();
                             } else {
-                                phi_935_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
+                                phi_948_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
                             }
-                            let _e547 = phi_935_;
-                            phi_936_ = _e547;
+                            let _e547 = phi_948_;
+                            phi_949_ = _e547;
                         }
-                        let _e549 = phi_936_;
+                        let _e549 = phi_949_;
                         let _e561 = ((_e206 & 8388607u) | (select(0u, 1u, ((_e206 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e564 = bitcast<i32>((_e206 >> bitcast<u32>(23i)));
                         let _e568 = (_e561 == 0u);
                         let _e571 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e561)), 32u, _e568)) - 8i);
                         if (_e564 == 255i) {
-                            phi_973_ = 255i;
+                            phi_986_ = 255i;
                         } else {
-                            phi_973_ = (((_e564 + select(0i, 1i, (_e564 == 0i))) - _e571) + _e505);
+                            phi_986_ = (((_e564 + select(0i, 1i, (_e564 == 0i))) - _e571) + _e505);
                         }
-                        let _e579 = phi_973_;
+                        let _e579 = phi_986_;
                         let _e589 = (_e579 <= 0i);
                         if _e589 {
-                            phi_996_ = u32();
+                            phi_1009_ = u32();
                         } else {
                             if _e568 {
-                                phi_995_ = u32();
+                                phi_1008_ = u32();
                             } else {
-                                phi_995_ = select(((bitcast<u32>(_e579) << bitcast<u32>(23i)) | ((_e561 << bitcast<u32>(((_e571 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e579 >= 255i));
+                                phi_1008_ = select(((bitcast<u32>(_e579) << bitcast<u32>(23i)) | ((_e561 << bitcast<u32>(((_e571 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e579 >= 255i));
                             }
-                            let _e593 = phi_995_;
-                            phi_996_ = _e593;
+                            let _e593 = phi_1008_;
+                            phi_1009_ = _e593;
                         }
-                        let _e595 = phi_996_;
-                        phi_1004_ = bitcast<f32>(((_e205 & 2147483648u) | select(_e595, 0u, select(_e568, true, _e589))));
-                        phi_1005_ = bitcast<f32>(((_e196 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
+                        let _e595 = phi_1009_;
+                        phi_1017_ = bitcast<f32>(((_e205 & 2147483648u) | select(_e595, 0u, select(_e568, true, _e589))));
+                        phi_1018_ = bitcast<f32>(((_e196 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
                     } else {
-                        phi_1004_ = 0f;
-                        phi_1005_ = 1f;
+                        phi_1017_ = 0f;
+                        phi_1018_ = 1f;
                     }
-                    let _e601 = phi_1004_;
-                    let _e603 = phi_1005_;
+                    let _e601 = phi_1017_;
+                    let _e603 = phi_1018_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -603,170 +603,170 @@ fn function_() {
                         break;
                     }
                     let _e627 = local_8[_e616];
-                    phi_3588_ = false;
-                    phi_1078_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e601);
-                    phi_1081_ = type_50(type_42(array<f32, 3>(_e611, _e615, _e619), array<f32, 3>(_e623, _e625, _e627)), select(0u, 2147483648u, (_e85 == 0u)));
-                    phi_1083_ = ((3u * _e85) + 1u);
-                    phi_1085_ = (_e603 <= _e601);
-                    phi_1087_ = 0u;
+                    phi_3719_ = false;
+                    phi_1101_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e601);
+                    phi_1104_ = (_e603 <= _e601);
+                    phi_1106_ = ((3u * _e85) + 1u);
+                    phi_1108_ = 0u;
+                    phi_1110_ = type_50(type_42(array<f32, 3>(_e611, _e615, _e619), array<f32, 3>(_e623, _e625, _e627)), select(0u, 2147483648u, (_e85 == 0u)));
                     loop {
-                        let _e635 = phi_3588_;
-                        let _e637 = phi_1078_;
-                        let _e639 = phi_1081_;
-                        let _e641 = phi_1083_;
-                        let _e643 = phi_1085_;
-                        let _e645 = phi_1087_;
+                        let _e635 = phi_3719_;
+                        let _e637 = phi_1101_;
+                        let _e639 = phi_1104_;
+                        let _e641 = phi_1106_;
+                        let _e643 = phi_1108_;
+                        let _e645 = phi_1110_;
                         local_10 = _e637;
-                        if _e643 {
-                            phi_1098_ = true;
+                        if _e639 {
+                            phi_1121_ = true;
                         } else {
-                            phi_1098_ = (_e645 > 0u);
+                            phi_1121_ = (_e643 > 0u);
                         }
-                        let _e648 = phi_1098_;
+                        let _e648 = phi_1121_;
                         if _e648 {
                             let _e649 = (_e641 > 0u);
                             if _e649 {
-                                if _e643 {
-                                    phi_1184_ = _e639;
-                                    phi_1185_ = _e643;
-                                    phi_1186_ = _e645;
+                                if _e639 {
+                                    phi_1207_ = _e639;
+                                    phi_1208_ = _e643;
+                                    phi_1209_ = _e645;
                                 } else {
-                                    let _e650 = (_e645 - 1u);
+                                    let _e650 = (_e643 - 1u);
                                     let _e651 = (_e650 % 128u);
                                     let _e652 = (_e651 < 128u);
                                     if _e652 {
                                     } else {
-                                        phi_3760_ = true;
+                                        phi_3891_ = true;
                                         break;
                                     }
                                     let _e654 = local_6[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3760_ = true;
+                                        phi_3891_ = true;
                                         break;
                                     }
                                     let _e656 = local_5[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3760_ = true;
+                                        phi_3891_ = true;
                                         break;
                                     }
                                     let _e658 = local_4[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3760_ = true;
+                                        phi_3891_ = true;
                                         break;
                                     }
                                     let _e660 = local_3[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3760_ = true;
+                                        phi_3891_ = true;
                                         break;
                                     }
                                     let _e663 = local_2[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3760_ = true;
+                                        phi_3891_ = true;
                                         break;
                                     }
                                     let _e665 = local_1[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3760_ = true;
+                                        phi_3891_ = true;
                                         break;
                                     }
                                     let _e667 = local[_e651];
                                     if _e652 {
                                     } else {
-                                        phi_3760_ = true;
+                                        phi_3891_ = true;
                                         break;
                                     }
                                     let _e672 = local_7[_e651];
-                                    phi_1184_ = type_50(type_42(array<f32, 3>(_e656, _e658, _e660), array<f32, 3>(_e663, _e665, _e667)), _e654);
-                                    phi_1185_ = (_e672 <= _e637.member_1);
-                                    phi_1186_ = _e650;
+                                    phi_1207_ = (_e672 <= _e637.member_1);
+                                    phi_1208_ = _e650;
+                                    phi_1209_ = type_50(type_42(array<f32, 3>(_e656, _e658, _e660), array<f32, 3>(_e663, _e665, _e667)), _e654);
                                 }
-                                let _e676 = phi_1184_;
-                                let _e678 = phi_1185_;
-                                let _e680 = phi_1186_;
-                                if _e678 {
-                                    if ((_e676.member_1 & 2147483648u) != 0u) {
-                                        phi_1205_ = _e637;
-                                        phi_1208_ = type_4(0u, ((_e676.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e676 = phi_1207_;
+                                let _e678 = phi_1208_;
+                                let _e680 = phi_1209_;
+                                if _e676 {
+                                    if ((_e680.member_1 & 2147483648u) != 0u) {
+                                        phi_1228_ = _e637;
+                                        phi_1231_ = type_4(0u, ((_e680.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1057 = phi_1205_;
-                                            let _e1059 = phi_1208_;
+                                            let _e1057 = phi_1228_;
+                                            let _e1059 = phi_1231_;
                                             local_11 = _e1057;
                                             if (_e1059.member < _e1059.member_1) {
-                                                phi_1209_ = type_4((_e1059.member + 1u), _e1059.member_1);
-                                                phi_1231_ = type_4(1u, _e1059.member);
+                                                phi_1232_ = type_4((_e1059.member + 1u), _e1059.member_1);
+                                                phi_1254_ = type_4(1u, _e1059.member);
                                             } else {
-                                                phi_1209_ = _e1059;
-                                                phi_1231_ = type_4(0u, type_4().member_1);
+                                                phi_1232_ = _e1059;
+                                                phi_1254_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1072 = phi_1209_;
-                                            let _e1074 = phi_1231_;
+                                            let _e1072 = phi_1232_;
+                                            let _e1074 = phi_1254_;
                                             let _e1078 = (bitcast<i32>(_e1074.member) != 0i);
                                             if _e1078 {
-                                                let _e1079 = ((_e676.member_1 & 268435455u) + _e1074.member_1);
+                                                let _e1079 = ((_e680.member_1 & 268435455u) + _e1074.member_1);
                                                 let _e1080 = (_e1079 < arrayLength((&global_6.member)));
                                                 if _e1080 {
                                                     if _e1080 {
                                                     } else {
-                                                        phi_3582_ = true;
+                                                        phi_3713_ = true;
                                                         break;
                                                     }
                                                     let _e1083 = global_6.member[_e1079].member_1;
-                                                    phi_1256_ = _e1083;
+                                                    phi_1279_ = _e1083;
                                                 } else {
-                                                    phi_1256_ = 4294967295u;
+                                                    phi_1279_ = 4294967295u;
                                                 }
-                                                let _e1085 = phi_1256_;
+                                                let _e1085 = phi_1279_;
                                                 if _e1080 {
                                                     if _e1080 {
                                                     } else {
-                                                        phi_3582_ = true;
+                                                        phi_3713_ = true;
                                                         break;
                                                     }
                                                     let _e1087 = global_6.member[_e1079];
-                                                    phi_1272_ = _e1087;
+                                                    phi_1295_ = _e1087;
                                                 } else {
-                                                    phi_1272_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1295_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e1089 = phi_1272_;
+                                                let _e1089 = phi_1295_;
                                                 let _e1101 = ((10u * _e248) & 31u);
                                                 let _e1104 = ((_e1089.member[0] >> bitcast<u32>(_e1101)) & 1023u);
-                                                let _e1112 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[0] - _e676.member.member[0]) * 0.0009775171f)) ^ _e120));
-                                                let _e1117 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1104)) - 8388608f) * _e1112)) ^ _e120)));
-                                                let _e1121 = select(select(_e676.member.member_1[0], _e1117, (_e1117 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e1104 == 1023u));
+                                                let _e1112 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e120));
+                                                let _e1117 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1104)) - 8388608f) * _e1112)) ^ _e120)));
+                                                let _e1121 = select(select(_e680.member.member_1[0], _e1117, (_e1117 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1104 == 1023u));
                                                 let _e1123 = ((10u * _e247) & 31u);
                                                 let _e1126 = ((_e1089.member[0] >> bitcast<u32>(_e1123)) & 1023u);
-                                                let _e1134 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[1] - _e676.member.member[1]) * 0.0009775171f)) ^ _e120));
-                                                let _e1139 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1126)) - 8388608f) * _e1134)) ^ _e120)));
-                                                let _e1143 = select(select(_e676.member.member_1[1], _e1139, (_e1139 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e1126 == 1023u));
+                                                let _e1134 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e120));
+                                                let _e1139 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1126)) - 8388608f) * _e1134)) ^ _e120)));
+                                                let _e1143 = select(select(_e680.member.member_1[1], _e1139, (_e1139 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1126 == 1023u));
                                                 let _e1145 = ((10u * _e249) & 31u);
                                                 let _e1148 = ((_e1089.member[0] >> bitcast<u32>(_e1145)) & 1023u);
-                                                let _e1156 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[2] - _e676.member.member[2]) * 0.0009775171f)) ^ _e120));
-                                                let _e1161 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1148)) - 8388608f) * _e1156)) ^ _e120)));
-                                                let _e1165 = select(select(_e676.member.member_1[2], _e1161, (_e1161 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e1148 == 1023u));
+                                                let _e1156 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e120));
+                                                let _e1161 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1148)) - 8388608f) * _e1156)) ^ _e120)));
+                                                let _e1165 = select(select(_e680.member.member_1[2], _e1161, (_e1161 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1148 == 1023u));
                                                 let _e1169 = ((_e1089.member[1] >> bitcast<u32>(_e1101)) & 1023u);
-                                                let _e1177 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1169)) - 8388608f) * _e1112)) ^ _e120)));
-                                                let _e1181 = select(select(_e676.member.member_1[0], _e1177, (_e1177 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e1169 == 1023u));
+                                                let _e1177 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1169)) - 8388608f) * _e1112)) ^ _e120)));
+                                                let _e1181 = select(select(_e680.member.member_1[0], _e1177, (_e1177 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1169 == 1023u));
                                                 let _e1184 = ((_e1089.member[1] >> bitcast<u32>(_e1123)) & 1023u);
-                                                let _e1192 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1184)) - 8388608f) * _e1134)) ^ _e120)));
-                                                let _e1196 = select(select(_e676.member.member_1[1], _e1192, (_e1192 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e1184 == 1023u));
+                                                let _e1192 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1184)) - 8388608f) * _e1134)) ^ _e120)));
+                                                let _e1196 = select(select(_e680.member.member_1[1], _e1192, (_e1192 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1184 == 1023u));
                                                 let _e1199 = ((_e1089.member[1] >> bitcast<u32>(_e1145)) & 1023u);
-                                                let _e1207 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1199)) - 8388608f) * _e1156)) ^ _e120)));
-                                                let _e1211 = select(select(_e676.member.member_1[2], _e1207, (_e1207 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e1199 == 1023u));
+                                                let _e1207 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1199)) - 8388608f) * _e1156)) ^ _e120)));
+                                                let _e1211 = select(select(_e680.member.member_1[2], _e1207, (_e1207 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1199 == 1023u));
                                                 let _e1215 = ((_e1089.member[2] >> bitcast<u32>(_e1101)) & 1023u);
-                                                let _e1223 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1215)) - 8388608f) * _e1112)) ^ _e120)));
-                                                let _e1227 = select(select(_e676.member.member_1[0], _e1223, (_e1223 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e1215 == 1023u));
+                                                let _e1223 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1215)) - 8388608f) * _e1112)) ^ _e120)));
+                                                let _e1227 = select(select(_e680.member.member_1[0], _e1223, (_e1223 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e1215 == 1023u));
                                                 let _e1230 = ((_e1089.member[2] >> bitcast<u32>(_e1123)) & 1023u);
-                                                let _e1238 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1230)) - 8388608f) * _e1134)) ^ _e120)));
-                                                let _e1242 = select(select(_e676.member.member_1[1], _e1238, (_e1238 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e1230 == 1023u));
+                                                let _e1238 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1230)) - 8388608f) * _e1134)) ^ _e120)));
+                                                let _e1242 = select(select(_e680.member.member_1[1], _e1238, (_e1238 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e1230 == 1023u));
                                                 let _e1245 = ((_e1089.member[2] >> bitcast<u32>(_e1145)) & 1023u);
-                                                let _e1253 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1245)) - 8388608f) * _e1156)) ^ _e120)));
-                                                let _e1257 = select(select(_e676.member.member_1[2], _e1253, (_e1253 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e1245 == 1023u));
+                                                let _e1253 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1245)) - 8388608f) * _e1156)) ^ _e120)));
+                                                let _e1257 = select(select(_e680.member.member_1[2], _e1253, (_e1253 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e1245 == 1023u));
                                                 let _e1261 = (_e1165 - _e449);
                                                 let _e1264 = (((_e1121 - _e312) * _e488) - (_e1261 * _e352));
                                                 let _e1267 = (((_e1143 - _e381) * _e488) - (_e1261 * _e420));
@@ -793,34 +793,34 @@ fn function_() {
                                                     let _e1315 = select(0f, _e1313, (_e1313 > 0f));
                                                     let _e1317 = ((_e1307 + _e1311) + _e1315);
                                                     if (_e1317 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2350_ = type_18();
-                                                        phi_2351_ = true;
-                                                        phi_2352_ = false;
+                                                        phi_2441_ = type_18();
+                                                        phi_2442_ = true;
+                                                        phi_2443_ = false;
                                                     } else {
                                                         let _e1320 = select(_e1273, _e1264, (_e1264 < _e1273));
                                                         if (select(_e1282, _e1320, (_e1320 < _e1282)) > 0f) {
-                                                            phi_1666_ = true;
+                                                            phi_1733_ = true;
                                                         } else {
                                                             let _e1325 = select(_e1273, _e1264, (_e1264 > _e1273));
-                                                            phi_1666_ = (select(_e1282, _e1325, (_e1325 > _e1282)) < 0f);
+                                                            phi_1733_ = (select(_e1282, _e1325, (_e1325 > _e1282)) < 0f);
                                                         }
-                                                        let _e1330 = phi_1666_;
+                                                        let _e1330 = phi_1733_;
                                                         if _e1330 {
-                                                            phi_2347_ = type_18();
-                                                            phi_2348_ = true;
-                                                            phi_2349_ = false;
+                                                            phi_2438_ = type_18();
+                                                            phi_2439_ = true;
+                                                            phi_2440_ = false;
                                                         } else {
                                                             let _e1332 = select(_e1276, _e1267, (_e1267 < _e1276));
                                                             if (select(_e1285, _e1332, (_e1332 < _e1285)) > 0f) {
-                                                                phi_1695_ = true;
+                                                                phi_1762_ = true;
                                                             } else {
                                                                 let _e1337 = select(_e1276, _e1267, (_e1267 > _e1276));
-                                                                phi_1695_ = (select(_e1285, _e1337, (_e1337 > _e1285)) < 0f);
+                                                                phi_1762_ = (select(_e1285, _e1337, (_e1337 > _e1285)) < 0f);
                                                             }
-                                                            let _e1342 = phi_1695_;
+                                                            let _e1342 = phi_1762_;
                                                             if _e1342 {
-                                                                phi_2345_ = type_18();
-                                                                phi_2346_ = false;
+                                                                phi_2436_ = type_18();
+                                                                phi_2437_ = false;
                                                             } else {
                                                                 let _e1344 = select(_e1181, _e1121, (_e1121 < _e1181));
                                                                 let _e1348 = select(_e1181, _e1121, (_e1121 > _e1181));
@@ -847,12 +847,12 @@ fn function_() {
                                                                 let _e1399 = -(_e1380);
                                                                 let _e1405 = select(_e603, _e1390, (_e1390 > _e603));
                                                                 if (_e1405 > (_e1398 + (select(_e1399, _e1382, (_e1382 > _e1399)) * 0.0000019073523f))) {
-                                                                    phi_2340_ = type_18();
-                                                                    phi_2341_ = true;
+                                                                    phi_2431_ = type_18();
+                                                                    phi_2432_ = true;
                                                                 } else {
                                                                     let _e1407 = (_e1405 > _e1057.member_1);
                                                                     if _e1407 {
-                                                                        phi_2339_ = type_18();
+                                                                        phi_2430_ = type_18();
                                                                     } else {
                                                                         let _e1408 = vec3<f32>(_e1121, _e1143, _e1165);
                                                                         let _e1409 = vec3<f32>(_e1181, _e1196, _e1211);
@@ -887,49 +887,49 @@ fn function_() {
                                                                         let _e1463 = select(_e1448, _e1435, (_e1435 > _e1448));
                                                                         let _e1465 = select(_e1461, _e1463, (_e1463 > _e1461));
                                                                         if (_e1435 == _e1465) {
-                                                                            phi_2072_ = _e1276;
-                                                                            phi_2073_ = _e1273;
-                                                                            phi_2074_ = _e1267;
-                                                                            phi_2075_ = _e1264;
-                                                                            phi_2076_ = _e1408;
-                                                                            phi_2077_ = _e1422;
-                                                                            phi_2078_ = _e1418;
-                                                                            phi_2079_ = _e1414;
+                                                                            phi_2157_ = _e1276;
+                                                                            phi_2158_ = _e1273;
+                                                                            phi_2159_ = _e1267;
+                                                                            phi_2160_ = _e1264;
+                                                                            phi_2161_ = _e1408;
+                                                                            phi_2162_ = _e1422;
+                                                                            phi_2163_ = _e1418;
+                                                                            phi_2164_ = _e1414;
                                                                         } else {
                                                                             let _e1467 = (_e1448 == _e1465);
                                                                             let _e1472 = vec3(_e1467);
-                                                                            phi_2072_ = select(_e1267, _e1285, _e1467);
-                                                                            phi_2073_ = select(_e1264, _e1282, _e1467);
-                                                                            phi_2074_ = select(_e1285, _e1276, _e1467);
-                                                                            phi_2075_ = select(_e1282, _e1273, _e1467);
-                                                                            phi_2076_ = select(_e1410, _e1409, _e1472);
-                                                                            phi_2077_ = select(_e1418, _e1414, _e1472);
-                                                                            phi_2078_ = select(_e1414, _e1422, _e1472);
-                                                                            phi_2079_ = select(_e1422, _e1418, _e1472);
+                                                                            phi_2157_ = select(_e1267, _e1285, _e1467);
+                                                                            phi_2158_ = select(_e1264, _e1282, _e1467);
+                                                                            phi_2159_ = select(_e1285, _e1276, _e1467);
+                                                                            phi_2160_ = select(_e1282, _e1273, _e1467);
+                                                                            phi_2161_ = select(_e1410, _e1409, _e1472);
+                                                                            phi_2162_ = select(_e1418, _e1414, _e1472);
+                                                                            phi_2163_ = select(_e1414, _e1422, _e1472);
+                                                                            phi_2164_ = select(_e1422, _e1418, _e1472);
                                                                         }
-                                                                        let _e1478 = phi_2072_;
-                                                                        let _e1480 = phi_2073_;
-                                                                        let _e1482 = phi_2074_;
-                                                                        let _e1484 = phi_2075_;
-                                                                        let _e1486 = phi_2076_;
-                                                                        let _e1488 = phi_2077_;
-                                                                        let _e1490 = phi_2078_;
-                                                                        let _e1492 = phi_2079_;
+                                                                        let _e1478 = phi_2157_;
+                                                                        let _e1480 = phi_2158_;
+                                                                        let _e1482 = phi_2159_;
+                                                                        let _e1484 = phi_2160_;
+                                                                        let _e1486 = phi_2161_;
+                                                                        let _e1488 = phi_2162_;
+                                                                        let _e1490 = phi_2163_;
+                                                                        let _e1492 = phi_2164_;
                                                                         let _e1499 = ((_e1490.y * _e1488.z) - (_e1488.y * _e1490.z));
                                                                         let _e1504 = ((_e1490.z * _e1488.x) - (_e1488.z * _e1490.x));
                                                                         let _e1507 = ((_e1490.x * _e1488.y) - (_e1488.x * _e1490.y));
                                                                         if (_e1307 >= _e1311) {
-                                                                            phi_2110_ = select(true, false, (_e1307 >= _e1315));
+                                                                            phi_2201_ = select(true, false, (_e1307 >= _e1315));
                                                                         } else {
-                                                                            phi_2110_ = true;
+                                                                            phi_2201_ = true;
                                                                         }
-                                                                        let _e1512 = phi_2110_;
+                                                                        let _e1512 = phi_2201_;
                                                                         if _e1512 {
-                                                                            phi_2119_ = select(_e1410, _e1409, vec3((_e1311 >= _e1315)));
+                                                                            phi_2210_ = select(_e1410, _e1409, vec3((_e1311 >= _e1315)));
                                                                         } else {
-                                                                            phi_2119_ = _e1408;
+                                                                            phi_2210_ = _e1408;
                                                                         }
-                                                                        let _e1517 = phi_2119_;
+                                                                        let _e1517 = phi_2210_;
                                                                         let _e1528 = (((_e1499 * (_e1517.x - _e312)) + (_e1504 * (_e1517.y - _e381))) + (_e1507 * (_e1517.z - _e449)));
                                                                         let _e1533 = (((_e1499 * _e352) + (_e1504 * _e420)) + (_e1507 * _e488));
                                                                         let _e1534 = (_e1480 - _e1484);
@@ -961,208 +961,208 @@ fn function_() {
                                                                             let _e1631 = bitcast<f32>((bitcast<u32>(_e1488.z) & 2147483647u));
                                                                             let _e1635 = (bitcast<f32>((bitcast<u32>(_e1533) & 2147483647u)) > ((0.0000038146973f * select(_e1617, _e1614, (_e1614 > _e1617))) * select(_e1631, _e1628, (_e1628 > _e1631))));
                                                                             if _e1635 {
-                                                                                phi_2284_ = (_e1528 / _e1533);
+                                                                                phi_2375_ = (_e1528 / _e1533);
                                                                             } else {
-                                                                                phi_2284_ = f32();
+                                                                                phi_2375_ = f32();
                                                                             }
-                                                                            let _e1638 = phi_2284_;
-                                                                            phi_2286_ = _e1638;
-                                                                            phi_2287_ = select(true, false, _e1635);
+                                                                            let _e1638 = phi_2375_;
+                                                                            phi_2377_ = _e1638;
+                                                                            phi_2378_ = select(true, false, _e1635);
                                                                         } else {
-                                                                            phi_2286_ = f32();
-                                                                            phi_2287_ = true;
+                                                                            phi_2377_ = f32();
+                                                                            phi_2378_ = true;
                                                                         }
-                                                                        let _e1641 = phi_2286_;
-                                                                        let _e1643 = phi_2287_;
+                                                                        let _e1641 = phi_2377_;
+                                                                        let _e1643 = phi_2378_;
                                                                         if _e1643 {
                                                                             let _e1651 = (((_e1499 * (_e1560 - (_e352 * _e1563))) + (_e1504 * (_e1561 - (_e420 * _e1563)))) / _e1533);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1651) & 2147483647u)) <= _e1465) {
-                                                                                phi_2307_ = (_e1563 + _e1651);
+                                                                                phi_2398_ = (_e1563 + _e1651);
                                                                             } else {
-                                                                                phi_2307_ = _e1563;
+                                                                                phi_2398_ = _e1563;
                                                                             }
-                                                                            let _e1658 = phi_2307_;
-                                                                            phi_2308_ = _e1658;
+                                                                            let _e1658 = phi_2398_;
+                                                                            phi_2399_ = _e1658;
                                                                         } else {
-                                                                            phi_2308_ = _e1641;
+                                                                            phi_2399_ = _e1641;
                                                                         }
-                                                                        let _e1660 = phi_2308_;
+                                                                        let _e1660 = phi_2399_;
                                                                         let _e1662 = select(_e1398, _e1660, (_e1660 < _e1398));
                                                                         let _e1664 = select(_e1390, _e1662, (_e1662 > _e1390));
                                                                         if (_e1664 >= _e603) {
                                                                             let _e1666 = (_e1664 <= _e1057.member_1);
                                                                             if _e1666 {
                                                                                 let _e1667 = (1f / _e1317);
-                                                                                phi_2331_ = type_18(_e1664, (_e1311 * _e1667), (_e1315 * _e1667), _e1085);
+                                                                                phi_2422_ = type_18(_e1664, (_e1311 * _e1667), (_e1315 * _e1667), _e1085);
                                                                             } else {
-                                                                                phi_2331_ = type_18();
+                                                                                phi_2422_ = type_18();
                                                                             }
-                                                                            let _e1672 = phi_2331_;
-                                                                            phi_2333_ = _e1672;
-                                                                            phi_2334_ = select(true, false, _e1666);
+                                                                            let _e1672 = phi_2422_;
+                                                                            phi_2424_ = _e1672;
+                                                                            phi_2425_ = select(true, false, _e1666);
                                                                         } else {
-                                                                            phi_2333_ = type_18();
-                                                                            phi_2334_ = true;
+                                                                            phi_2424_ = type_18();
+                                                                            phi_2425_ = true;
                                                                         }
-                                                                        let _e1675 = phi_2333_;
-                                                                        let _e1677 = phi_2334_;
+                                                                        let _e1675 = phi_2424_;
+                                                                        let _e1677 = phi_2425_;
                                                                         if _e1677 {
-                                                                            phi_2338_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2429_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2338_ = _e1675;
+                                                                            phi_2429_ = _e1675;
                                                                         }
-                                                                        let _e1679 = phi_2338_;
-                                                                        phi_2339_ = _e1679;
+                                                                        let _e1679 = phi_2429_;
+                                                                        phi_2430_ = _e1679;
                                                                     }
-                                                                    let _e1681 = phi_2339_;
-                                                                    phi_2340_ = _e1681;
-                                                                    phi_2341_ = _e1407;
+                                                                    let _e1681 = phi_2430_;
+                                                                    phi_2431_ = _e1681;
+                                                                    phi_2432_ = _e1407;
                                                                 }
-                                                                let _e1683 = phi_2340_;
-                                                                let _e1685 = phi_2341_;
-                                                                phi_2345_ = _e1683;
-                                                                phi_2346_ = _e1685;
+                                                                let _e1683 = phi_2431_;
+                                                                let _e1685 = phi_2432_;
+                                                                phi_2436_ = _e1683;
+                                                                phi_2437_ = _e1685;
                                                             }
-                                                            let _e1687 = phi_2345_;
-                                                            let _e1689 = phi_2346_;
-                                                            phi_2347_ = _e1687;
-                                                            phi_2348_ = _e1342;
-                                                            phi_2349_ = _e1689;
+                                                            let _e1687 = phi_2436_;
+                                                            let _e1689 = phi_2437_;
+                                                            phi_2438_ = _e1687;
+                                                            phi_2439_ = _e1342;
+                                                            phi_2440_ = _e1689;
                                                         }
-                                                        let _e1691 = phi_2347_;
-                                                        let _e1693 = phi_2348_;
-                                                        let _e1695 = phi_2349_;
-                                                        phi_2350_ = _e1691;
-                                                        phi_2351_ = _e1693;
-                                                        phi_2352_ = _e1695;
+                                                        let _e1691 = phi_2438_;
+                                                        let _e1693 = phi_2439_;
+                                                        let _e1695 = phi_2440_;
+                                                        phi_2441_ = _e1691;
+                                                        phi_2442_ = _e1693;
+                                                        phi_2443_ = _e1695;
                                                     }
-                                                    let _e1697 = phi_2350_;
-                                                    let _e1699 = phi_2351_;
-                                                    let _e1701 = phi_2352_;
-                                                    phi_2360_ = _e1697;
-                                                    phi_2361_ = select(_e1701, true, _e1699);
+                                                    let _e1697 = phi_2441_;
+                                                    let _e1699 = phi_2442_;
+                                                    let _e1701 = phi_2443_;
+                                                    phi_2451_ = _e1697;
+                                                    phi_2452_ = select(_e1701, true, _e1699);
                                                 } else {
-                                                    phi_2360_ = type_18();
-                                                    phi_2361_ = true;
+                                                    phi_2451_ = type_18();
+                                                    phi_2452_ = true;
                                                 }
-                                                let _e1704 = phi_2360_;
-                                                let _e1706 = phi_2361_;
+                                                let _e1704 = phi_2451_;
+                                                let _e1706 = phi_2452_;
                                                 if _e1706 {
-                                                    phi_2365_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2456_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2365_ = _e1704;
+                                                    phi_2456_ = _e1704;
                                                 }
-                                                let _e1708 = phi_2365_;
+                                                let _e1708 = phi_2456_;
                                                 if (_e1708.member_3 != 4294967295u) {
                                                     if (_e1085 != 4294967295u) {
                                                         if (_e1708.member < _e1057.member.member) {
-                                                            phi_2391_ = true;
+                                                            phi_2482_ = true;
                                                         } else {
                                                             if (_e1708.member == _e1057.member.member) {
-                                                                phi_2390_ = (_e1708.member_3 < _e1057.member.member_3);
+                                                                phi_2481_ = (_e1708.member_3 < _e1057.member.member_3);
                                                             } else {
-                                                                phi_2390_ = false;
+                                                                phi_2481_ = false;
                                                             }
-                                                            let _e1721 = phi_2390_;
-                                                            phi_2391_ = _e1721;
+                                                            let _e1721 = phi_2481_;
+                                                            phi_2482_ = _e1721;
                                                         }
-                                                        let _e1723 = phi_2391_;
+                                                        let _e1723 = phi_2482_;
                                                         if _e1723 {
-                                                            phi_2397_ = type_29(_e1708, _e1708.member);
+                                                            phi_2488_ = type_29(_e1708, _e1708.member);
                                                         } else {
-                                                            phi_2397_ = _e1057;
+                                                            phi_2488_ = _e1057;
                                                         }
-                                                        let _e1726 = phi_2397_;
-                                                        phi_2398_ = _e1726;
+                                                        let _e1726 = phi_2488_;
+                                                        phi_2489_ = _e1726;
                                                     } else {
-                                                        phi_2398_ = _e1057;
+                                                        phi_2489_ = _e1057;
                                                     }
-                                                    let _e1728 = phi_2398_;
-                                                    phi_2399_ = _e1728;
+                                                    let _e1728 = phi_2489_;
+                                                    phi_2490_ = _e1728;
                                                 } else {
-                                                    phi_2399_ = _e1057;
+                                                    phi_2490_ = _e1057;
                                                 }
-                                                let _e1730 = phi_2399_;
-                                                phi_1206_ = _e1730;
+                                                let _e1730 = phi_2490_;
+                                                phi_1229_ = _e1730;
                                             } else {
-                                                phi_1206_ = type_29();
+                                                phi_1229_ = type_29();
                                             }
-                                            let _e1732 = phi_1206_;
+                                            let _e1732 = phi_1229_;
                                             continue;
                                             continuing {
-                                                phi_1205_ = _e1732;
-                                                phi_1208_ = _e1072;
-                                                phi_3582_ = _e635;
+                                                phi_1228_ = _e1732;
+                                                phi_1231_ = _e1072;
+                                                phi_3713_ = _e635;
                                                 break if !(_e1078);
                                             }
                                         }
-                                        let _e1735 = phi_3582_;
-                                        phi_3760_ = _e1735;
+                                        let _e1735 = phi_3713_;
+                                        phi_3891_ = _e1735;
                                         if _e1735 {
                                             break;
                                         }
-                                        phi_3764_ = _e1735;
+                                        phi_3895_ = _e1735;
                                         let _e2021 = local_11;
-                                        phi_3372_ = _e2021;
-                                        phi_3373_ = _e676;
-                                        phi_3374_ = false;
-                                        phi_3375_ = _e680;
+                                        phi_3503_ = _e2021;
+                                        phi_3504_ = false;
+                                        phi_3505_ = _e678;
+                                        phi_3506_ = _e680;
                                     } else {
-                                        let _e690 = (_e676.member_1 < _e85);
+                                        let _e690 = (_e680.member_1 < _e85);
                                         if _e690 {
                                             if _e690 {
                                             } else {
-                                                phi_3760_ = true;
+                                                phi_3891_ = true;
                                                 break;
                                             }
-                                            let _e692 = global_4.member[_e676.member_1];
-                                            phi_2418_ = _e692;
+                                            let _e692 = global_4.member[_e680.member_1];
+                                            phi_2516_ = _e692;
                                         } else {
-                                            phi_2418_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2516_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e694 = phi_2418_;
+                                        let _e694 = phi_2516_;
                                         let _e709 = ((10u * _e248) & 31u);
                                         let _e712 = ((_e694.member[0] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e720 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[0] - _e676.member.member[0]) * 0.0009775171f)) ^ _e120));
-                                        let _e725 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e712)) - 8388608f) * _e720)) ^ _e120)));
-                                        let _e729 = select(select(_e676.member.member_1[0], _e725, (_e725 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e712 == 1023u));
+                                        let _e720 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[0] - _e680.member.member[0]) * 0.0009775171f)) ^ _e120));
+                                        let _e725 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e712)) - 8388608f) * _e720)) ^ _e120)));
+                                        let _e729 = select(select(_e680.member.member_1[0], _e725, (_e725 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e712 == 1023u));
                                         let _e731 = ((10u * _e247) & 31u);
                                         let _e734 = ((_e694.member[0] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e742 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[1] - _e676.member.member[1]) * 0.0009775171f)) ^ _e120));
-                                        let _e747 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e734)) - 8388608f) * _e742)) ^ _e120)));
-                                        let _e751 = select(select(_e676.member.member_1[1], _e747, (_e747 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e734 == 1023u));
+                                        let _e742 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[1] - _e680.member.member[1]) * 0.0009775171f)) ^ _e120));
+                                        let _e747 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e734)) - 8388608f) * _e742)) ^ _e120)));
+                                        let _e751 = select(select(_e680.member.member_1[1], _e747, (_e747 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e734 == 1023u));
                                         let _e753 = ((10u * _e249) & 31u);
                                         let _e756 = ((_e694.member[0] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e764 = bitcast<f32>((bitcast<u32>(((_e676.member.member_1[2] - _e676.member.member[2]) * 0.0009775171f)) ^ _e120));
-                                        let _e769 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e756)) - 8388608f) * _e764)) ^ _e120)));
-                                        let _e773 = select(select(_e676.member.member_1[2], _e769, (_e769 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e756 == 1023u));
+                                        let _e764 = bitcast<f32>((bitcast<u32>(((_e680.member.member_1[2] - _e680.member.member[2]) * 0.0009775171f)) ^ _e120));
+                                        let _e769 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e756)) - 8388608f) * _e764)) ^ _e120)));
+                                        let _e773 = select(select(_e680.member.member_1[2], _e769, (_e769 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e756 == 1023u));
                                         let _e776 = ((_e694.member[1] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e784 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e776)) - 8388608f) * _e720)) ^ _e120)));
-                                        let _e788 = select(select(_e676.member.member_1[0], _e784, (_e784 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e776 == 1023u));
+                                        let _e784 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e776)) - 8388608f) * _e720)) ^ _e120)));
+                                        let _e788 = select(select(_e680.member.member_1[0], _e784, (_e784 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e776 == 1023u));
                                         let _e791 = ((_e694.member[1] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e799 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e791)) - 8388608f) * _e742)) ^ _e120)));
-                                        let _e803 = select(select(_e676.member.member_1[1], _e799, (_e799 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e791 == 1023u));
+                                        let _e799 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e791)) - 8388608f) * _e742)) ^ _e120)));
+                                        let _e803 = select(select(_e680.member.member_1[1], _e799, (_e799 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e791 == 1023u));
                                         let _e806 = ((_e694.member[1] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e814 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e764)) ^ _e120)));
-                                        let _e818 = select(select(_e676.member.member_1[2], _e814, (_e814 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e806 == 1023u));
+                                        let _e814 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e806)) - 8388608f) * _e764)) ^ _e120)));
+                                        let _e818 = select(select(_e680.member.member_1[2], _e814, (_e814 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e806 == 1023u));
                                         let _e824 = ((_e694.member_1[0] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e832 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e720)) ^ _e120)));
-                                        let _e836 = select(select(_e676.member.member_1[0], _e832, (_e832 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e824 == 1023u));
+                                        let _e832 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e824)) - 8388608f) * _e720)) ^ _e120)));
+                                        let _e836 = select(select(_e680.member.member_1[0], _e832, (_e832 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e824 == 1023u));
                                         let _e839 = ((_e694.member_1[0] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e847 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e742)) ^ _e120)));
-                                        let _e851 = select(select(_e676.member.member_1[1], _e847, (_e847 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e839 == 1023u));
+                                        let _e847 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e839)) - 8388608f) * _e742)) ^ _e120)));
+                                        let _e851 = select(select(_e680.member.member_1[1], _e847, (_e847 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e839 == 1023u));
                                         let _e854 = ((_e694.member_1[0] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e862 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e764)) ^ _e120)));
-                                        let _e866 = select(select(_e676.member.member_1[2], _e862, (_e862 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e854 == 1023u));
+                                        let _e862 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e854)) - 8388608f) * _e764)) ^ _e120)));
+                                        let _e866 = select(select(_e680.member.member_1[2], _e862, (_e862 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e854 == 1023u));
                                         let _e869 = ((_e694.member_1[1] >> bitcast<u32>(_e709)) & 1023u);
-                                        let _e877 = (_e676.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e720)) ^ _e120)));
-                                        let _e881 = select(select(_e676.member.member_1[0], _e877, (_e877 < _e676.member.member_1[0])), _e676.member.member_1[0], (_e869 == 1023u));
+                                        let _e877 = (_e680.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e869)) - 8388608f) * _e720)) ^ _e120)));
+                                        let _e881 = select(select(_e680.member.member_1[0], _e877, (_e877 < _e680.member.member_1[0])), _e680.member.member_1[0], (_e869 == 1023u));
                                         let _e884 = ((_e694.member_1[1] >> bitcast<u32>(_e731)) & 1023u);
-                                        let _e892 = (_e676.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e884)) - 8388608f) * _e742)) ^ _e120)));
-                                        let _e896 = select(select(_e676.member.member_1[1], _e892, (_e892 < _e676.member.member_1[1])), _e676.member.member_1[1], (_e884 == 1023u));
+                                        let _e892 = (_e680.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e884)) - 8388608f) * _e742)) ^ _e120)));
+                                        let _e896 = select(select(_e680.member.member_1[1], _e892, (_e892 < _e680.member.member_1[1])), _e680.member.member_1[1], (_e884 == 1023u));
                                         let _e899 = ((_e694.member_1[1] >> bitcast<u32>(_e753)) & 1023u);
-                                        let _e907 = (_e676.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e899)) - 8388608f) * _e764)) ^ _e120)));
-                                        let _e911 = select(select(_e676.member.member_1[2], _e907, (_e907 < _e676.member.member_1[2])), _e676.member.member_1[2], (_e899 == 1023u));
+                                        let _e907 = (_e680.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e899)) - 8388608f) * _e764)) ^ _e120)));
+                                        let _e911 = select(select(_e680.member.member_1[2], _e907, (_e907 < _e680.member.member_1[2])), _e680.member.member_1[2], (_e899 == 1023u));
                                         let _e916 = type_50(type_42(array<f32, 3>(_e729, _e751, _e773), array<f32, 3>(_e788, _e803, _e818)), _e694.member_2);
                                         let _e921 = type_50(type_42(array<f32, 3>(_e836, _e851, _e866), array<f32, 3>(_e881, _e896, _e911)), _e694.member_3);
                                         let _e927 = ((_e729 - _e350) * _e355);
@@ -1207,188 +1207,188 @@ fn function_() {
                                         if _e1005 {
                                             if _e1006 {
                                                 if _e1007 {
-                                                    phi_3274_ = _e921;
+                                                    phi_3402_ = _e921;
                                                 } else {
-                                                    phi_3274_ = _e916;
+                                                    phi_3402_ = _e916;
                                                 }
-                                                let _e1009 = phi_3274_;
-                                                let _e1017 = (_e680 % 128u);
+                                                let _e1009 = phi_3402_;
+                                                let _e1017 = (_e678 % 128u);
                                                 let _e1018 = (_e1017 < 128u);
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3760_ = true;
+                                                    phi_3891_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1017] = _e1009.member_1;
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3760_ = true;
+                                                    phi_3891_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1017] = _e1009.member.member[0];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3760_ = true;
+                                                    phi_3891_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1017] = _e1009.member.member[1];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3760_ = true;
+                                                    phi_3891_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1017] = _e1009.member.member[2];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3760_ = true;
+                                                    phi_3891_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1017] = _e1009.member.member_1[0];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3760_ = true;
+                                                    phi_3891_ = true;
                                                     break;
                                                 }
                                                 local_1[_e1017] = _e1009.member.member_1[1];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3760_ = true;
+                                                    phi_3891_ = true;
                                                     break;
                                                 }
                                                 local[_e1017] = _e1009.member.member_1[2];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3760_ = true;
+                                                    phi_3891_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1017] = select(_e1000, _e998, (_e998 > _e1000));
+                                                local_7[_e1017] = select(_e1000, _e998, !(_e1007));
                                                 if _e1007 {
-                                                    phi_3351_ = _e916;
+                                                    phi_3479_ = _e916;
                                                 } else {
-                                                    phi_3351_ = _e921;
+                                                    phi_3479_ = _e921;
                                                 }
-                                                let _e1035 = phi_3351_;
-                                                phi_3352_ = _e1035;
-                                                phi_3353_ = (_e680 + 1u);
+                                                let _e1035 = phi_3479_;
+                                                phi_3480_ = (_e678 + 1u);
+                                                phi_3481_ = _e1035;
                                             } else {
-                                                phi_3352_ = type_50();
-                                                phi_3353_ = u32();
+                                                phi_3480_ = u32();
+                                                phi_3481_ = type_50();
                                             }
-                                            let _e1037 = phi_3352_;
-                                            let _e1039 = phi_3353_;
-                                            phi_3355_ = _e1037;
-                                            phi_3356_ = _e1039;
-                                            phi_3357_ = select(true, false, _e1006);
+                                            let _e1037 = phi_3480_;
+                                            let _e1039 = phi_3481_;
+                                            phi_3483_ = _e1037;
+                                            phi_3484_ = _e1039;
+                                            phi_3485_ = select(true, false, _e1006);
                                         } else {
-                                            phi_3355_ = type_50();
-                                            phi_3356_ = u32();
-                                            phi_3357_ = true;
+                                            phi_3483_ = u32();
+                                            phi_3484_ = type_50();
+                                            phi_3485_ = true;
                                         }
-                                        let _e1042 = phi_3355_;
-                                        let _e1044 = phi_3356_;
-                                        let _e1046 = phi_3357_;
+                                        let _e1042 = phi_3483_;
+                                        let _e1044 = phi_3484_;
+                                        let _e1046 = phi_3485_;
                                         if _e1046 {
                                             if _e1005 {
-                                                phi_3364_ = _e916;
+                                                phi_3492_ = _e916;
                                             } else {
-                                                phi_3364_ = _e921;
+                                                phi_3492_ = _e921;
                                             }
-                                            let _e1048 = phi_3364_;
-                                            phi_3369_ = _e1048;
-                                            phi_3370_ = select(_e1006, true, _e1005);
+                                            let _e1048 = phi_3492_;
+                                            phi_3497_ = select(_e1006, true, _e1005);
+                                            phi_3499_ = _e1048;
                                         } else {
-                                            phi_3369_ = _e1042;
-                                            phi_3370_ = _e678;
+                                            phi_3497_ = _e676;
+                                            phi_3499_ = _e1044;
                                         }
-                                        let _e1051 = phi_3369_;
-                                        let _e1053 = phi_3370_;
-                                        phi_3764_ = _e635;
-                                        phi_3372_ = _e637;
-                                        phi_3373_ = _e1051;
-                                        phi_3374_ = _e1053;
-                                        phi_3375_ = select(_e1044, _e680, _e1046);
+                                        let _e1051 = phi_3497_;
+                                        let _e1053 = phi_3499_;
+                                        phi_3895_ = _e635;
+                                        phi_3503_ = _e637;
+                                        phi_3504_ = _e1051;
+                                        phi_3505_ = select(_e1042, _e678, _e1046);
+                                        phi_3506_ = _e1053;
                                     }
-                                    let _e1737 = phi_3764_;
-                                    let _e1739 = phi_3372_;
-                                    let _e1741 = phi_3373_;
-                                    let _e1743 = phi_3374_;
-                                    let _e1745 = phi_3375_;
-                                    phi_3763_ = _e1737;
-                                    phi_3376_ = _e1739;
-                                    phi_3377_ = _e1741;
-                                    phi_3378_ = (_e641 - 1u);
-                                    phi_3379_ = _e1743;
-                                    phi_3380_ = _e1745;
+                                    let _e1737 = phi_3895_;
+                                    let _e1739 = phi_3503_;
+                                    let _e1741 = phi_3504_;
+                                    let _e1743 = phi_3505_;
+                                    let _e1745 = phi_3506_;
+                                    phi_3894_ = _e1737;
+                                    phi_3507_ = _e1739;
+                                    phi_3508_ = _e1741;
+                                    phi_3509_ = (_e641 - 1u);
+                                    phi_3510_ = _e1743;
+                                    phi_3511_ = _e1745;
                                 } else {
-                                    phi_3763_ = _e635;
-                                    phi_3376_ = _e637;
-                                    phi_3377_ = _e676;
-                                    phi_3378_ = _e641;
-                                    phi_3379_ = _e678;
-                                    phi_3380_ = _e680;
+                                    phi_3894_ = _e635;
+                                    phi_3507_ = _e637;
+                                    phi_3508_ = _e676;
+                                    phi_3509_ = _e641;
+                                    phi_3510_ = _e678;
+                                    phi_3511_ = _e680;
                                 }
-                                let _e1747 = phi_3763_;
-                                let _e1749 = phi_3376_;
-                                let _e1751 = phi_3377_;
-                                let _e1753 = phi_3378_;
-                                let _e1755 = phi_3379_;
-                                let _e1757 = phi_3380_;
-                                phi_3762_ = _e1747;
-                                phi_3381_ = _e1749;
-                                phi_3382_ = _e1751;
-                                phi_3383_ = _e1753;
-                                phi_3384_ = _e1755;
-                                phi_3385_ = _e1757;
+                                let _e1747 = phi_3894_;
+                                let _e1749 = phi_3507_;
+                                let _e1751 = phi_3508_;
+                                let _e1753 = phi_3509_;
+                                let _e1755 = phi_3510_;
+                                let _e1757 = phi_3511_;
+                                phi_3893_ = _e1747;
+                                phi_3512_ = _e1749;
+                                phi_3513_ = _e1751;
+                                phi_3514_ = _e1753;
+                                phi_3515_ = _e1755;
+                                phi_3516_ = _e1757;
                             } else {
-                                phi_3762_ = _e635;
-                                phi_3381_ = type_29();
-                                phi_3382_ = type_50();
-                                phi_3383_ = u32();
-                                phi_3384_ = bool();
-                                phi_3385_ = u32();
+                                phi_3893_ = _e635;
+                                phi_3512_ = type_29();
+                                phi_3513_ = bool();
+                                phi_3514_ = u32();
+                                phi_3515_ = u32();
+                                phi_3516_ = type_50();
                             }
-                            let _e1759 = phi_3762_;
-                            let _e1761 = phi_3381_;
-                            let _e1763 = phi_3382_;
-                            let _e1765 = phi_3383_;
-                            let _e1767 = phi_3384_;
-                            let _e1769 = phi_3385_;
-                            phi_3761_ = _e1759;
-                            phi_1079_ = _e1761;
-                            phi_1082_ = _e1763;
-                            phi_1084_ = _e1765;
-                            phi_1086_ = _e1767;
-                            phi_1088_ = _e1769;
-                            phi_3386_ = _e649;
+                            let _e1759 = phi_3893_;
+                            let _e1761 = phi_3512_;
+                            let _e1763 = phi_3513_;
+                            let _e1765 = phi_3514_;
+                            let _e1767 = phi_3515_;
+                            let _e1769 = phi_3516_;
+                            phi_3892_ = _e1759;
+                            phi_1102_ = _e1761;
+                            phi_1105_ = _e1763;
+                            phi_1107_ = _e1765;
+                            phi_1109_ = _e1767;
+                            phi_1111_ = _e1769;
+                            phi_3517_ = _e649;
                         } else {
-                            phi_3761_ = _e635;
-                            phi_1079_ = type_29();
-                            phi_1082_ = type_50();
-                            phi_1084_ = u32();
-                            phi_1086_ = bool();
-                            phi_1088_ = u32();
-                            phi_3386_ = false;
+                            phi_3892_ = _e635;
+                            phi_1102_ = type_29();
+                            phi_1105_ = bool();
+                            phi_1107_ = u32();
+                            phi_1109_ = u32();
+                            phi_1111_ = type_50();
+                            phi_3517_ = false;
                         }
-                        let _e1771 = phi_3761_;
-                        let _e1773 = phi_1079_;
-                        let _e1775 = phi_1082_;
-                        let _e1777 = phi_1084_;
-                        let _e1779 = phi_1086_;
-                        let _e1781 = phi_1088_;
-                        let _e1783 = phi_3386_;
+                        let _e1771 = phi_3892_;
+                        let _e1773 = phi_1102_;
+                        let _e1775 = phi_1105_;
+                        let _e1777 = phi_1107_;
+                        let _e1779 = phi_1109_;
+                        let _e1781 = phi_1111_;
+                        let _e1783 = phi_3517_;
                         continue;
                         continuing {
-                            phi_3588_ = _e1771;
-                            phi_1078_ = _e1773;
-                            phi_1081_ = _e1775;
-                            phi_1083_ = _e1777;
-                            phi_1085_ = _e1779;
-                            phi_1087_ = _e1781;
-                            phi_3760_ = _e1771;
+                            phi_3719_ = _e1771;
+                            phi_1101_ = _e1773;
+                            phi_1104_ = _e1775;
+                            phi_1106_ = _e1777;
+                            phi_1108_ = _e1779;
+                            phi_1110_ = _e1781;
+                            phi_3891_ = _e1771;
                             break if !(_e1783);
                         }
                     }
-                    let _e1786 = phi_3760_;
+                    let _e1786 = phi_3891_;
                     if _e1786 {
                         break;
                     }
@@ -1399,110 +1399,110 @@ fn function_() {
                         let _e1798 = (bitcast<i32>((_e1794 >> bitcast<u32>(23i))) & 255i);
                         let _e1799 = (_e1798 + _e1793);
                         if (_e1798 == 255i) {
-                            phi_3445_ = _e1788.member.member;
+                            phi_3576_ = _e1788.member.member;
                         } else {
                             if (_e1798 > 0i) {
                                 if (_e1799 > 0i) {
                                     let _e1803 = (_e1799 < 255i);
                                     if _e1803 {
-                                        phi_3424_ = bitcast<f32>((_e1794 + bitcast<u32>((_e1793 << bitcast<u32>(23i)))));
+                                        phi_3555_ = bitcast<f32>((_e1794 + bitcast<u32>((_e1793 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3424_ = f32();
+                                        phi_3555_ = f32();
                                     }
-                                    let _e1810 = phi_3424_;
-                                    phi_3426_ = _e1810;
-                                    phi_3427_ = select(true, false, _e1803);
+                                    let _e1810 = phi_3555_;
+                                    phi_3557_ = _e1810;
+                                    phi_3558_ = select(true, false, _e1803);
                                 } else {
-                                    phi_3426_ = f32();
-                                    phi_3427_ = true;
+                                    phi_3557_ = f32();
+                                    phi_3558_ = true;
                                 }
-                                let _e1813 = phi_3426_;
-                                let _e1815 = phi_3427_;
-                                phi_3428_ = _e1813;
-                                phi_3429_ = _e1815;
+                                let _e1813 = phi_3557_;
+                                let _e1815 = phi_3558_;
+                                phi_3559_ = _e1813;
+                                phi_3560_ = _e1815;
                             } else {
-                                phi_3428_ = f32();
-                                phi_3429_ = true;
+                                phi_3559_ = f32();
+                                phi_3560_ = true;
                             }
-                            let _e1817 = phi_3428_;
-                            let _e1819 = phi_3429_;
+                            let _e1817 = phi_3559_;
+                            let _e1819 = phi_3560_;
                             if _e1819 {
                                 let _e1820 = (_e1794 & 2147483648u);
                                 let _e1827 = ((_e1794 & 8388607u) | (select(0u, 1u, ((_e1794 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                 let _e1831 = (_e1827 == 0u);
                                 if _e1831 {
-                                    phi_3552_ = bitcast<f32>(_e1820);
+                                    phi_3683_ = bitcast<f32>(_e1820);
                                 } else {
                                     let _e1836 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1827)), 32u, _e1831) - 8u);
                                     let _e1839 = (_e1827 << bitcast<u32>((_e1836 & 31u)));
                                     let _e1841 = ((_e1799 + select(0i, 1i, (_e1798 == 0i))) - bitcast<i32>(_e1836));
                                     if (_e1841 >= 255i) {
-                                        phi_3542_ = bitcast<f32>((_e1820 | 2139095040u));
-                                        phi_3543_ = f32();
-                                        phi_3544_ = true;
+                                        phi_3673_ = bitcast<f32>((_e1820 | 2139095040u));
+                                        phi_3674_ = f32();
+                                        phi_3675_ = true;
                                     } else {
                                         let _e1843 = (_e1841 > 0i);
                                         if _e1843 {
-                                            phi_3536_ = bitcast<f32>(((_e1820 | (bitcast<u32>(_e1841) << bitcast<u32>(23i))) | (_e1839 & 8388607u)));
-                                            phi_3537_ = f32();
+                                            phi_3667_ = bitcast<f32>(((_e1820 | (bitcast<u32>(_e1841) << bitcast<u32>(23i))) | (_e1839 & 8388607u)));
+                                            phi_3668_ = f32();
                                         } else {
                                             if (_e1841 < -24i) {
-                                                phi_3502_ = 26u;
+                                                phi_3633_ = 26u;
                                             } else {
-                                                phi_3502_ = bitcast<u32>((1i - _e1841));
+                                                phi_3633_ = bitcast<u32>((1i - _e1841));
                                             }
-                                            let _e1848 = phi_3502_;
+                                            let _e1848 = phi_3633_;
                                             let _e1849 = (_e1848 & 31u);
                                             let _e1851 = (_e1839 >> bitcast<u32>(_e1849));
                                             let _e1855 = (_e1839 & ((1u << bitcast<u32>(_e1849)) - 1u));
                                             let _e1859 = (1u << bitcast<u32>(((_e1848 - 1u) & 31u)));
                                             if (_e1855 > _e1859) {
-                                                phi_3523_ = true;
+                                                phi_3654_ = true;
                                             } else {
                                                 if (_e1855 == _e1859) {
-                                                    phi_3520_ = ((_e1851 & 1u) == 1u);
+                                                    phi_3651_ = ((_e1851 & 1u) == 1u);
                                                 } else {
-                                                    phi_3520_ = false;
+                                                    phi_3651_ = false;
                                                 }
-                                                let _e1865 = phi_3520_;
-                                                phi_3523_ = _e1865;
+                                                let _e1865 = phi_3651_;
+                                                phi_3654_ = _e1865;
                                             }
-                                            let _e1867 = phi_3523_;
-                                            phi_3536_ = f32();
-                                            phi_3537_ = bitcast<f32>((_e1820 | (_e1851 + select(0u, 1u, _e1867))));
+                                            let _e1867 = phi_3654_;
+                                            phi_3667_ = f32();
+                                            phi_3668_ = bitcast<f32>((_e1820 | (_e1851 + select(0u, 1u, _e1867))));
                                         }
-                                        let _e1880 = phi_3536_;
-                                        let _e1882 = phi_3537_;
-                                        phi_3542_ = _e1880;
-                                        phi_3543_ = _e1882;
-                                        phi_3544_ = _e1843;
+                                        let _e1880 = phi_3667_;
+                                        let _e1882 = phi_3668_;
+                                        phi_3673_ = _e1880;
+                                        phi_3674_ = _e1882;
+                                        phi_3675_ = _e1843;
                                     }
-                                    let _e1886 = phi_3542_;
-                                    let _e1888 = phi_3543_;
-                                    let _e1890 = phi_3544_;
-                                    phi_3552_ = select(_e1888, _e1886, _e1890);
+                                    let _e1886 = phi_3673_;
+                                    let _e1888 = phi_3674_;
+                                    let _e1890 = phi_3675_;
+                                    phi_3683_ = select(_e1888, _e1886, _e1890);
                                 }
-                                let _e1894 = phi_3552_;
-                                phi_3444_ = _e1894;
+                                let _e1894 = phi_3683_;
+                                phi_3575_ = _e1894;
                             } else {
-                                phi_3444_ = _e1817;
+                                phi_3575_ = _e1817;
                             }
-                            let _e1896 = phi_3444_;
-                            phi_3445_ = _e1896;
+                            let _e1896 = phi_3575_;
+                            phi_3576_ = _e1896;
                         }
-                        let _e1898 = phi_3445_;
+                        let _e1898 = phi_3576_;
                         let _e1899 = bitcast<u32>(_e1898);
                         if ((_e1899 & 2147483647u) >= 2139095040u) {
-                            phi_3457_ = bitcast<f32>(((_e1899 & 2147483648u) | 2139095039u));
+                            phi_3588_ = bitcast<f32>(((_e1899 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3457_ = _e1898;
+                            phi_3588_ = _e1898;
                         }
-                        let _e1906 = phi_3457_;
-                        phi_3462_ = type_18(_e1906, _e1788.member.member_1, _e1788.member.member_2, _e1788.member.member_3);
+                        let _e1906 = phi_3588_;
+                        phi_3593_ = type_18(_e1906, _e1788.member.member_1, _e1788.member.member_2, _e1788.member.member_3);
                     } else {
-                        phi_3462_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3593_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1911 = phi_3462_;
+                    let _e1911 = phi_3593_;
                     if _e136 {
                     } else {
                         break;

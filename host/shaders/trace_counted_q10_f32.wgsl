@@ -43,7 +43,7 @@ struct type_33 {
     member_1: vec4<f32>,
 }
 
-struct type_37 {
+struct type_38 {
     member: type_29,
     member_1: f32,
 }
@@ -53,7 +53,7 @@ struct type_42 {
 }
 
 struct type_44 {
-    member: type_37,
+    member: type_38,
     member_1: u32,
     member_2: u32,
 }
@@ -98,142 +98,142 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_384_: i32;
-    var phi_385_: i32;
-    var phi_395_: bool;
-    var phi_405_: u32;
-    var phi_406_: u32;
-    var phi_408_: bool;
+    var phi_391_: i32;
+    var phi_392_: i32;
+    var phi_402_: bool;
+    var phi_412_: u32;
     var phi_413_: u32;
-    var phi_425_: i32;
-    var phi_445_: i32;
-    var phi_463_: f32;
-    var phi_469_: f32;
-    var phi_509_: f32;
-    var phi_515_: f32;
-    var phi_567_: f32;
-    var phi_578_: f32;
+    var phi_415_: bool;
+    var phi_420_: u32;
+    var phi_433_: i32;
+    var phi_453_: i32;
+    var phi_471_: f32;
+    var phi_477_: f32;
+    var phi_517_: f32;
+    var phi_523_: f32;
+    var phi_575_: f32;
     var phi_587_: f32;
-    var phi_593_: f32;
-    var phi_633_: f32;
-    var phi_639_: f32;
-    var phi_691_: f32;
-    var phi_702_: f32;
-    var phi_711_: f32;
-    var phi_717_: f32;
-    var phi_757_: f32;
-    var phi_763_: f32;
-    var phi_815_: f32;
-    var phi_826_: f32;
-    var phi_881_: i32;
-    var phi_903_: u32;
-    var phi_904_: u32;
-    var phi_941_: i32;
-    var phi_963_: u32;
-    var phi_964_: u32;
-    var phi_972_: f32;
-    var phi_973_: f32;
-    var phi_3645_: bool;
-    var phi_1063_: type_44;
-    var phi_1066_: type_51;
-    var phi_1068_: u32;
-    var phi_1070_: bool;
-    var phi_1072_: u32;
-    var phi_1083_: bool;
-    var phi_1169_: type_51;
-    var phi_1170_: bool;
-    var phi_1171_: u32;
-    var phi_2928_: u32;
-    var phi_2929_: u32;
-    var phi_2939_: u32;
-    var phi_2941_: u32;
-    var phi_2942_: bool;
-    var phi_2962_: u32;
-    var phi_2963_: u32;
-    var phi_2967_: type_52;
-    var phi_3311_: type_51;
-    var phi_3388_: type_51;
-    var phi_3389_: type_51;
-    var phi_3390_: u32;
-    var phi_3392_: type_51;
-    var phi_3393_: u32;
-    var phi_3394_: bool;
-    var phi_3403_: type_51;
-    var phi_3408_: type_51;
-    var phi_3409_: bool;
-    var phi_1189_: type_44;
-    var phi_1192_: type_4;
-    var phi_1193_: type_4;
-    var phi_1215_: type_4;
-    var phi_1239_: u32;
-    var phi_1328_: array<array<f32, 3>, 3>;
-    var phi_1445_: bool;
-    var phi_1474_: bool;
-    var phi_1875_: f32;
-    var phi_1876_: f32;
-    var phi_1877_: f32;
-    var phi_1878_: f32;
-    var phi_1879_: vec3<f32>;
-    var phi_1880_: vec3<f32>;
-    var phi_1881_: vec3<f32>;
-    var phi_1882_: vec3<f32>;
-    var phi_1913_: bool;
-    var phi_1922_: vec3<f32>;
-    var phi_2087_: f32;
-    var phi_2089_: f32;
-    var phi_2090_: bool;
-    var phi_2110_: f32;
-    var phi_2111_: f32;
-    var phi_2134_: type_29;
-    var phi_2136_: type_29;
-    var phi_2137_: bool;
-    var phi_2141_: type_29;
-    var phi_2142_: type_29;
-    var phi_2143_: type_29;
-    var phi_2144_: bool;
-    var phi_2148_: type_29;
-    var phi_2149_: bool;
-    var phi_2150_: type_29;
-    var phi_2151_: bool;
-    var phi_2152_: bool;
-    var phi_2153_: type_29;
-    var phi_2154_: bool;
-    var phi_2155_: bool;
-    var phi_2163_: type_29;
-    var phi_2164_: bool;
-    var phi_2168_: type_29;
-    var phi_2193_: bool;
-    var phi_2194_: bool;
-    var phi_2201_: type_44;
-    var phi_2202_: type_44;
-    var phi_2203_: type_44;
-    var phi_1190_: type_44;
-    var phi_3639_: bool;
-    var phi_3803_: bool;
-    var phi_3411_: type_44;
-    var phi_3412_: type_51;
-    var phi_3413_: bool;
-    var phi_3414_: u32;
-    var phi_3802_: bool;
-    var phi_3415_: type_44;
-    var phi_3416_: type_51;
-    var phi_3417_: u32;
-    var phi_3418_: bool;
-    var phi_3419_: u32;
-    var phi_3801_: bool;
-    var phi_3420_: type_44;
-    var phi_3421_: type_51;
-    var phi_3422_: u32;
-    var phi_3423_: bool;
-    var phi_3424_: u32;
-    var phi_3800_: bool;
-    var phi_1064_: type_44;
-    var phi_1067_: type_51;
-    var phi_1069_: u32;
-    var phi_1071_: bool;
-    var phi_1073_: u32;
-    var phi_3425_: bool;
-    var phi_3799_: bool;
+    var phi_596_: f32;
+    var phi_602_: f32;
+    var phi_642_: f32;
+    var phi_648_: f32;
+    var phi_700_: f32;
+    var phi_712_: f32;
+    var phi_721_: f32;
+    var phi_727_: f32;
+    var phi_767_: f32;
+    var phi_773_: f32;
+    var phi_825_: f32;
+    var phi_837_: f32;
+    var phi_892_: i32;
+    var phi_914_: u32;
+    var phi_915_: u32;
+    var phi_952_: i32;
+    var phi_974_: u32;
+    var phi_975_: u32;
+    var phi_983_: f32;
+    var phi_984_: f32;
+    var phi_3757_: bool;
+    var phi_1081_: type_44;
+    var phi_1084_: bool;
+    var phi_1086_: u32;
+    var phi_1088_: u32;
+    var phi_1090_: type_51;
+    var phi_1101_: bool;
+    var phi_1187_: bool;
+    var phi_1188_: u32;
+    var phi_1189_: type_51;
+    var phi_3015_: u32;
+    var phi_3016_: u32;
+    var phi_3026_: u32;
+    var phi_3028_: u32;
+    var phi_3029_: bool;
+    var phi_3049_: u32;
+    var phi_3050_: u32;
+    var phi_3054_: type_52;
+    var phi_3419_: type_51;
+    var phi_3496_: type_51;
+    var phi_3497_: u32;
+    var phi_3498_: type_51;
+    var phi_3500_: u32;
+    var phi_3501_: type_51;
+    var phi_3502_: bool;
+    var phi_3511_: type_51;
+    var phi_3516_: bool;
+    var phi_3518_: type_51;
+    var phi_1207_: type_44;
+    var phi_1210_: type_4;
+    var phi_1211_: type_4;
+    var phi_1233_: type_4;
+    var phi_1257_: u32;
+    var phi_1349_: array<array<f32, 3>, 3>;
+    var phi_1501_: bool;
+    var phi_1530_: bool;
+    var phi_1949_: f32;
+    var phi_1950_: f32;
+    var phi_1951_: f32;
+    var phi_1952_: f32;
+    var phi_1953_: vec3<f32>;
+    var phi_1954_: vec3<f32>;
+    var phi_1955_: vec3<f32>;
+    var phi_1956_: vec3<f32>;
+    var phi_1993_: bool;
+    var phi_2002_: vec3<f32>;
+    var phi_2167_: f32;
+    var phi_2169_: f32;
+    var phi_2170_: bool;
+    var phi_2190_: f32;
+    var phi_2191_: f32;
+    var phi_2214_: type_29;
+    var phi_2216_: type_29;
+    var phi_2217_: bool;
+    var phi_2221_: type_29;
+    var phi_2222_: type_29;
+    var phi_2223_: type_29;
+    var phi_2224_: bool;
+    var phi_2228_: type_29;
+    var phi_2229_: bool;
+    var phi_2230_: type_29;
+    var phi_2231_: bool;
+    var phi_2232_: bool;
+    var phi_2233_: type_29;
+    var phi_2234_: bool;
+    var phi_2235_: bool;
+    var phi_2243_: type_29;
+    var phi_2244_: bool;
+    var phi_2248_: type_29;
+    var phi_2273_: bool;
+    var phi_2274_: bool;
+    var phi_2281_: type_44;
+    var phi_2282_: type_44;
+    var phi_2283_: type_44;
+    var phi_1208_: type_44;
+    var phi_3751_: bool;
+    var phi_3915_: bool;
+    var phi_3523_: type_44;
+    var phi_3524_: bool;
+    var phi_3525_: u32;
+    var phi_3526_: type_51;
+    var phi_3914_: bool;
+    var phi_3527_: type_44;
+    var phi_3528_: bool;
+    var phi_3529_: u32;
+    var phi_3530_: u32;
+    var phi_3531_: type_51;
+    var phi_3913_: bool;
+    var phi_3532_: type_44;
+    var phi_3533_: bool;
+    var phi_3534_: u32;
+    var phi_3535_: u32;
+    var phi_3536_: type_51;
+    var phi_3912_: bool;
+    var phi_1082_: type_44;
+    var phi_1085_: bool;
+    var phi_1087_: u32;
+    var phi_1089_: u32;
+    var phi_1091_: type_51;
+    var phi_3537_: bool;
+    var phi_3911_: bool;
     var local_10: type_44;
     var local_11: type_44;
     var local_12: type_44;
@@ -291,211 +291,211 @@ fn function_() {
                     if _e222 {
                         let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
                         if (_e225 >= 8388608u) {
-                            phi_384_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
+                            phi_391_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_384_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
+                            phi_391_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
                         }
-                        let _e239 = phi_384_;
-                        phi_385_ = _e239;
+                        let _e239 = phi_391_;
+                        phi_392_ = _e239;
                     } else {
-                        phi_385_ = 0i;
+                        phi_392_ = 0i;
                     }
-                    let _e241 = phi_385_;
+                    let _e241 = phi_392_;
                     let _e242 = (_e158 == _e197);
                     if _e242 {
-                        phi_395_ = true;
+                        phi_402_ = true;
                     } else {
-                        phi_395_ = (_e165 == _e197);
+                        phi_402_ = (_e165 == _e197);
                     }
-                    let _e245 = phi_395_;
+                    let _e245 = phi_402_;
                     let _e246 = select(1u, 0u, _e242);
                     if _e245 {
                         let _e247 = (_e246 + 1u);
-                        phi_405_ = _e247;
-                        phi_406_ = _e247;
-                        phi_408_ = select(true, false, (_e247 == 2u));
+                        phi_412_ = _e247;
+                        phi_413_ = _e247;
+                        phi_415_ = select(true, false, (_e247 == 2u));
                     } else {
-                        phi_405_ = u32();
-                        phi_406_ = 0u;
-                        phi_408_ = true;
-                    }
-                    let _e251 = phi_405_;
-                    let _e253 = phi_406_;
-                    let _e255 = phi_408_;
-                    if _e255 {
-                        phi_413_ = (_e253 + 1u);
-                    } else {
+                        phi_412_ = u32();
                         phi_413_ = 0u;
+                        phi_415_ = true;
                     }
-                    let _e259 = phi_413_;
+                    let _e251 = phi_412_;
+                    let _e253 = phi_413_;
+                    let _e255 = phi_415_;
+                    if _e255 {
+                        phi_420_ = (_e253 + 1u);
+                    } else {
+                        phi_420_ = 0u;
+                    }
+                    let _e259 = phi_420_;
                     let _e260 = select(_e251, _e253, _e255);
                     let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
                     if (_e128 < -126i) {
-                        phi_425_ = -126i;
+                        phi_433_ = -126i;
                     } else {
-                        phi_425_ = select(_e128, 127i, (_e128 > 127i));
+                        phi_433_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e266 = phi_425_;
+                    let _e266 = phi_433_;
                     let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
                     let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
                     let _e278 = -(_e241);
                     if (_e278 < -126i) {
-                        phi_445_ = -126i;
+                        phi_453_ = -126i;
                     } else {
-                        phi_445_ = select(_e278, 127i, (_e278 > 127i));
+                        phi_453_ = select(_e278, 127i, (_e278 > 127i));
                     }
-                    let _e283 = phi_445_;
+                    let _e283 = phi_453_;
                     let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
                     let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
                     let _e298 = global_5.member[_e146].member;
                     let _e299 = (_e260 == 0u);
                     if _e299 {
-                        phi_463_ = _e298[0];
+                        phi_471_ = _e298[0];
                     } else {
-                        phi_463_ = _e298[1];
+                        phi_471_ = _e298[1];
                     }
-                    let _e303 = phi_463_;
+                    let _e303 = phi_471_;
                     let _e304 = (_e260 == 2u);
                     if _e304 {
-                        phi_469_ = _e298[2];
+                        phi_477_ = _e298[2];
                     } else {
-                        phi_469_ = _e303;
+                        phi_477_ = _e303;
                     }
-                    let _e307 = phi_469_;
+                    let _e307 = phi_477_;
                     let _e308 = bitcast<u32>(_e307);
                     let _e310 = ((_e308 & 2139095040u) != 0u);
                     let _e324 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e308 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e308 & 2147483648u))), _e307, _e310) * _e271) * select(0.00000011920929f, 1f, _e310)) * _e277);
                     let _e325 = global_5.member[_e146].member_2;
                     if _e299 {
-                        phi_509_ = _e325[0];
+                        phi_517_ = _e325[0];
                     } else {
-                        phi_509_ = _e325[1];
+                        phi_517_ = _e325[1];
                     }
-                    let _e329 = phi_509_;
+                    let _e329 = phi_517_;
                     if _e304 {
-                        phi_515_ = _e325[2];
+                        phi_523_ = _e325[2];
                     } else {
-                        phi_515_ = _e329;
+                        phi_523_ = _e329;
                     }
-                    let _e332 = phi_515_;
+                    let _e332 = phi_523_;
                     let _e333 = bitcast<u32>(_e332);
                     let _e335 = ((_e333 & 2139095040u) != 0u);
                     let _e349 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e333 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e333 & 2147483648u))), _e332, _e335) * _e288) * select(0.00000011920929f, 1f, _e335)) * _e294);
                     let _e353 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e353 {
                         let _e357 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
-                        phi_567_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
+                        phi_575_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
                     } else {
-                        phi_567_ = 0f;
+                        phi_575_ = 0f;
                     }
-                    let _e361 = phi_567_;
+                    let _e361 = phi_575_;
                     let _e362 = (_e324 + _e361);
                     let _e363 = (_e324 - _e361);
                     let _e364 = select(_e349, 0f, _e353);
                     if _e353 {
-                        phi_578_ = 38685626000000000000000000f;
+                        phi_587_ = 38685626000000000000000000f;
                     } else {
-                        phi_578_ = (1f / _e349);
+                        phi_587_ = (1f / _e349);
                     }
-                    let _e367 = phi_578_;
+                    let _e367 = phi_587_;
                     let _e368 = (_e259 == 0u);
                     if _e368 {
-                        phi_587_ = _e298[0];
+                        phi_596_ = _e298[0];
                     } else {
-                        phi_587_ = _e298[1];
+                        phi_596_ = _e298[1];
                     }
-                    let _e372 = phi_587_;
+                    let _e372 = phi_596_;
                     let _e373 = (_e259 == 2u);
                     if _e373 {
-                        phi_593_ = _e298[2];
+                        phi_602_ = _e298[2];
                     } else {
-                        phi_593_ = _e372;
+                        phi_602_ = _e372;
                     }
-                    let _e376 = phi_593_;
+                    let _e376 = phi_602_;
                     let _e377 = bitcast<u32>(_e376);
                     let _e379 = ((_e377 & 2139095040u) != 0u);
                     let _e393 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e377 & 2147483648u))), _e376, _e379) * _e271) * select(0.00000011920929f, 1f, _e379)) * _e277);
                     if _e368 {
-                        phi_633_ = _e325[0];
+                        phi_642_ = _e325[0];
                     } else {
-                        phi_633_ = _e325[1];
+                        phi_642_ = _e325[1];
                     }
-                    let _e397 = phi_633_;
+                    let _e397 = phi_642_;
                     if _e373 {
-                        phi_639_ = _e325[2];
+                        phi_648_ = _e325[2];
                     } else {
-                        phi_639_ = _e397;
+                        phi_648_ = _e397;
                     }
-                    let _e400 = phi_639_;
+                    let _e400 = phi_648_;
                     let _e401 = bitcast<u32>(_e400);
                     let _e403 = ((_e401 & 2139095040u) != 0u);
                     let _e417 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e400, _e403) * _e288) * select(0.00000011920929f, 1f, _e403)) * _e294);
                     let _e421 = (bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e421 {
                         let _e425 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) * 0.00000011920929f);
-                        phi_691_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
+                        phi_700_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
                     } else {
-                        phi_691_ = 0f;
+                        phi_700_ = 0f;
                     }
-                    let _e429 = phi_691_;
+                    let _e429 = phi_700_;
                     let _e430 = (_e393 + _e429);
                     let _e431 = (_e393 - _e429);
                     let _e432 = select(_e417, 0f, _e421);
                     if _e421 {
-                        phi_702_ = 38685626000000000000000000f;
+                        phi_712_ = 38685626000000000000000000f;
                     } else {
-                        phi_702_ = (1f / _e417);
+                        phi_712_ = (1f / _e417);
                     }
-                    let _e435 = phi_702_;
+                    let _e435 = phi_712_;
                     let _e436 = (_e261 == 0u);
                     if _e436 {
-                        phi_711_ = _e298[0];
+                        phi_721_ = _e298[0];
                     } else {
-                        phi_711_ = _e298[1];
+                        phi_721_ = _e298[1];
                     }
-                    let _e440 = phi_711_;
+                    let _e440 = phi_721_;
                     let _e441 = (_e261 == 2u);
                     if _e441 {
-                        phi_717_ = _e298[2];
+                        phi_727_ = _e298[2];
                     } else {
-                        phi_717_ = _e440;
+                        phi_727_ = _e440;
                     }
-                    let _e444 = phi_717_;
+                    let _e444 = phi_727_;
                     let _e445 = bitcast<u32>(_e444);
                     let _e447 = ((_e445 & 2139095040u) != 0u);
                     let _e461 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e445 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e445 & 2147483648u))), _e444, _e447) * _e271) * select(0.00000011920929f, 1f, _e447)) * _e277);
                     if _e436 {
-                        phi_757_ = _e325[0];
+                        phi_767_ = _e325[0];
                     } else {
-                        phi_757_ = _e325[1];
+                        phi_767_ = _e325[1];
                     }
-                    let _e465 = phi_757_;
+                    let _e465 = phi_767_;
                     if _e441 {
-                        phi_763_ = _e325[2];
+                        phi_773_ = _e325[2];
                     } else {
-                        phi_763_ = _e465;
+                        phi_773_ = _e465;
                     }
-                    let _e468 = phi_763_;
+                    let _e468 = phi_773_;
                     let _e469 = bitcast<u32>(_e468);
                     let _e471 = ((_e469 & 2139095040u) != 0u);
                     let _e485 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e469 & 2147483648u))), _e468, _e471) * _e288) * select(0.00000011920929f, 1f, _e471)) * _e294);
                     let _e489 = (bitcast<f32>((bitcast<u32>(_e485) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e489 {
                         let _e493 = (bitcast<f32>((bitcast<u32>(_e461) & 2147483647u)) * 0.00000011920929f);
-                        phi_815_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
+                        phi_825_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
                     } else {
-                        phi_815_ = 0f;
+                        phi_825_ = 0f;
                     }
-                    let _e497 = phi_815_;
+                    let _e497 = phi_825_;
                     let _e498 = (_e461 + _e497);
                     let _e499 = (_e461 - _e497);
                     let _e500 = select(_e485, 0f, _e489);
                     if _e489 {
-                        phi_826_ = 38685626000000000000000000f;
+                        phi_837_ = 38685626000000000000000000f;
                     } else {
-                        phi_826_ = (1f / _e485);
+                        phi_837_ = (1f / _e485);
                     }
-                    let _e503 = phi_826_;
+                    let _e503 = phi_837_;
                     let _e506 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
                     let _e509 = bitcast<f32>((bitcast<u32>(_e393) & 2147483647u));
                     let _e511 = select(_e509, _e506, (_e506 > _e509));
@@ -507,55 +507,55 @@ fn function_() {
                         let _e534 = (_e527 == 0u);
                         let _e537 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e527)), 32u, _e534)) - 8i);
                         if (_e530 == 255i) {
-                            phi_881_ = 255i;
+                            phi_892_ = 255i;
                         } else {
-                            phi_881_ = (((_e530 + select(0i, 1i, (_e530 == 0i))) - _e537) + _e517);
+                            phi_892_ = (((_e530 + select(0i, 1i, (_e530 == 0i))) - _e537) + _e517);
                         }
-                        let _e545 = phi_881_;
+                        let _e545 = phi_892_;
                         let _e555 = (_e545 <= 0i);
                         if _e555 {
-                            phi_904_ = u32();
+                            phi_915_ = u32();
                         } else {
                             if _e534 {
-                                phi_903_ = u32();
+                                phi_914_ = u32();
                             } else {
-                                phi_903_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | ((_e527 << bitcast<u32>(((_e537 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e545 >= 255i));
+                                phi_914_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | ((_e527 << bitcast<u32>(((_e537 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e545 >= 255i));
                             }
-                            let _e559 = phi_903_;
-                            phi_904_ = _e559;
+                            let _e559 = phi_914_;
+                            phi_915_ = _e559;
                         }
-                        let _e561 = phi_904_;
+                        let _e561 = phi_915_;
                         let _e573 = ((_e218 & 8388607u) | (select(0u, 1u, ((_e218 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e576 = bitcast<i32>((_e218 >> bitcast<u32>(23i)));
                         let _e580 = (_e573 == 0u);
                         let _e583 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e573)), 32u, _e580)) - 8i);
                         if (_e576 == 255i) {
-                            phi_941_ = 255i;
+                            phi_952_ = 255i;
                         } else {
-                            phi_941_ = (((_e576 + select(0i, 1i, (_e576 == 0i))) - _e583) + _e517);
+                            phi_952_ = (((_e576 + select(0i, 1i, (_e576 == 0i))) - _e583) + _e517);
                         }
-                        let _e591 = phi_941_;
+                        let _e591 = phi_952_;
                         let _e601 = (_e591 <= 0i);
                         if _e601 {
-                            phi_964_ = u32();
+                            phi_975_ = u32();
                         } else {
                             if _e580 {
-                                phi_963_ = u32();
+                                phi_974_ = u32();
                             } else {
-                                phi_963_ = select(((bitcast<u32>(_e591) << bitcast<u32>(23i)) | ((_e573 << bitcast<u32>(((_e583 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e591 >= 255i));
+                                phi_974_ = select(((bitcast<u32>(_e591) << bitcast<u32>(23i)) | ((_e573 << bitcast<u32>(((_e583 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e591 >= 255i));
                             }
-                            let _e605 = phi_963_;
-                            phi_964_ = _e605;
+                            let _e605 = phi_974_;
+                            phi_975_ = _e605;
                         }
-                        let _e607 = phi_964_;
-                        phi_972_ = bitcast<f32>(((_e217 & 2147483648u) | select(_e607, 0u, select(_e580, true, _e601))));
-                        phi_973_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e561, 0u, select(_e534, true, _e555))));
+                        let _e607 = phi_975_;
+                        phi_983_ = bitcast<f32>(((_e217 & 2147483648u) | select(_e607, 0u, select(_e580, true, _e601))));
+                        phi_984_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e561, 0u, select(_e534, true, _e555))));
                     } else {
-                        phi_972_ = 0f;
-                        phi_973_ = 1f;
+                        phi_983_ = 0f;
+                        phi_984_ = 1f;
                     }
-                    let _e613 = phi_972_;
-                    let _e615 = phi_973_;
+                    let _e613 = phi_983_;
+                    let _e615 = phi_984_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -600,198 +600,198 @@ fn function_() {
                         break;
                     }
                     let _e648 = local[_e632];
-                    phi_3645_ = false;
-                    phi_1063_ = type_44(type_37(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e613), 0u, 0u);
-                    phi_1066_ = type_51(type_33(vec4<f32>((f32(_e623) * _e140), (f32(_e629) * _e140), (f32(_e635) * _e140), 0f), vec4<f32>((f32(_e640) * _e140), (f32(_e644) * _e140), (f32(_e648) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_1068_ = ((3u * _e90) + 1u);
-                    phi_1070_ = (_e615 <= _e613);
-                    phi_1072_ = 0u;
+                    phi_3757_ = false;
+                    phi_1081_ = type_44(type_38(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e613), 0u, 0u);
+                    phi_1084_ = (_e615 <= _e613);
+                    phi_1086_ = ((3u * _e90) + 1u);
+                    phi_1088_ = 0u;
+                    phi_1090_ = type_51(type_33(vec4<f32>((f32(_e623) * _e140), (f32(_e629) * _e140), (f32(_e635) * _e140), 0f), vec4<f32>((f32(_e640) * _e140), (f32(_e644) * _e140), (f32(_e648) * _e140), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
                     loop {
-                        let _e658 = phi_3645_;
-                        let _e660 = phi_1063_;
-                        let _e662 = phi_1066_;
-                        let _e664 = phi_1068_;
-                        let _e666 = phi_1070_;
-                        let _e668 = phi_1072_;
+                        let _e658 = phi_3757_;
+                        let _e660 = phi_1081_;
+                        let _e662 = phi_1084_;
+                        let _e664 = phi_1086_;
+                        let _e666 = phi_1088_;
+                        let _e668 = phi_1090_;
                         local_10 = _e660;
                         local_11 = _e660;
-                        if _e666 {
-                            phi_1083_ = true;
+                        if _e662 {
+                            phi_1101_ = true;
                         } else {
-                            phi_1083_ = (_e668 > 0u);
+                            phi_1101_ = (_e666 > 0u);
                         }
-                        let _e671 = phi_1083_;
+                        let _e671 = phi_1101_;
                         if _e671 {
                             let _e672 = (_e664 > 0u);
                             if _e672 {
-                                if _e666 {
-                                    phi_1169_ = _e662;
-                                    phi_1170_ = _e666;
-                                    phi_1171_ = _e668;
+                                if _e662 {
+                                    phi_1187_ = _e662;
+                                    phi_1188_ = _e666;
+                                    phi_1189_ = _e668;
                                 } else {
-                                    let _e673 = (_e668 - 1u);
+                                    let _e673 = (_e666 - 1u);
                                     let _e674 = (_e673 % 128u);
                                     let _e675 = (_e674 < 128u);
                                     if _e675 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e677 = local_7[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e679 = local_6[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e681 = local_5[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e683 = local_4[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e685 = local_3[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e687 = local_2[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e692 = local_8[_e674];
                                     if _e675 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e695 = local_9[_e674];
-                                    phi_1169_ = type_51(type_33(vec4<f32>(_e677, _e679, _e681, 0f), vec4<f32>(_e683, _e685, _e687, 0f)), _e692);
-                                    phi_1170_ = (_e695 <= _e660.member.member_1);
-                                    phi_1171_ = _e673;
+                                    phi_1187_ = (_e695 <= _e660.member.member_1);
+                                    phi_1188_ = _e673;
+                                    phi_1189_ = type_51(type_33(vec4<f32>(_e677, _e679, _e681, 0f), vec4<f32>(_e683, _e685, _e687, 0f)), _e692);
                                 }
-                                let _e700 = phi_1169_;
-                                let _e702 = phi_1170_;
-                                let _e704 = phi_1171_;
-                                if _e702 {
-                                    if ((_e700.member_1 & 2147483648u) != 0u) {
-                                        phi_1189_ = _e660;
-                                        phi_1192_ = type_4(0u, ((_e700.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e700 = phi_1187_;
+                                let _e702 = phi_1188_;
+                                let _e704 = phi_1189_;
+                                if _e700 {
+                                    if ((_e704.member_1 & 2147483648u) != 0u) {
+                                        phi_1207_ = _e660;
+                                        phi_1210_ = type_4(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1161 = phi_1189_;
-                                            let _e1163 = phi_1192_;
+                                            let _e1161 = phi_1207_;
+                                            let _e1163 = phi_1210_;
                                             local_12 = _e1161;
                                             if (_e1163.member < _e1163.member_1) {
-                                                phi_1193_ = type_4((_e1163.member + 1u), _e1163.member_1);
-                                                phi_1215_ = type_4(1u, _e1163.member);
+                                                phi_1211_ = type_4((_e1163.member + 1u), _e1163.member_1);
+                                                phi_1233_ = type_4(1u, _e1163.member);
                                             } else {
-                                                phi_1193_ = _e1163;
-                                                phi_1215_ = type_4(0u, type_4().member_1);
+                                                phi_1211_ = _e1163;
+                                                phi_1233_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1176 = phi_1193_;
-                                            let _e1178 = phi_1215_;
+                                            let _e1176 = phi_1211_;
+                                            let _e1178 = phi_1233_;
                                             let _e1182 = (bitcast<i32>(_e1178.member) != 0i);
                                             if _e1182 {
                                                 let _e1188 = type_44(_e1161.member, _e1161.member_1, (_e1161.member_2 + 1u));
-                                                let _e1189 = ((_e700.member_1 & 268435455u) + _e1178.member_1);
+                                                let _e1189 = ((_e704.member_1 & 268435455u) + _e1178.member_1);
                                                 let _e1190 = (_e1189 < _e92);
                                                 if _e1190 {
                                                     if _e1190 {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1194 = global_2.member[_e1189].member_1;
-                                                    phi_1239_ = _e1194;
+                                                    phi_1257_ = _e1194;
                                                 } else {
-                                                    phi_1239_ = 4294967295u;
+                                                    phi_1257_ = 4294967295u;
                                                 }
-                                                let _e1196 = phi_1239_;
+                                                let _e1196 = phi_1257_;
                                                 if (_e1189 >= _e92) {
-                                                    phi_1328_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1190 {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     if (_e620 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1203 = global_2.member[_e1189].member[_e620];
                                                     if (_e626 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1209 = global_2.member[_e1189].member[_e626];
                                                     if (_e632 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1215 = global_2.member[_e1189].member[_e632];
                                                     let _e1217 = (3u + _e620);
                                                     if (_e1217 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1223 = global_2.member[_e1189].member[_e1217];
                                                     let _e1224 = (3u + _e626);
                                                     if (_e1224 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1230 = global_2.member[_e1189].member[_e1224];
                                                     let _e1231 = (3u + _e632);
                                                     if (_e1231 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1237 = global_2.member[_e1189].member[_e1231];
                                                     let _e1239 = (6u + _e620);
                                                     if (_e1239 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1245 = global_2.member[_e1189].member[_e1239];
                                                     let _e1246 = (6u + _e626);
                                                     if (_e1246 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1252 = global_2.member[_e1189].member[_e1246];
                                                     let _e1253 = (6u + _e632);
                                                     if (_e1253 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1259 = global_2.member[_e1189].member[_e1253];
-                                                    phi_1328_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1203, _e1209, _e1215), array<f32, 3>(_e1223, _e1230, _e1237), array<f32, 3>(_e1245, _e1252, _e1259));
+                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1203, _e1209, _e1215), array<f32, 3>(_e1223, _e1230, _e1237), array<f32, 3>(_e1245, _e1252, _e1259));
                                                 }
-                                                let _e1263 = phi_1328_;
+                                                let _e1263 = phi_1349_;
                                                 let _e1272 = (_e1263[0][2] - _e461);
                                                 let _e1275 = (((_e1263[0][0] - _e324) * _e500) - (_e1272 * _e364));
                                                 let _e1278 = (((_e1263[0][1] - _e393) * _e500) - (_e1272 * _e432));
@@ -818,34 +818,34 @@ fn function_() {
                                                     let _e1334 = select(0f, _e1332, (_e1332 > 0f));
                                                     let _e1336 = ((_e1326 + _e1330) + _e1334);
                                                     if (_e1336 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2153_ = type_29();
-                                                        phi_2154_ = true;
-                                                        phi_2155_ = false;
+                                                        phi_2233_ = type_29();
+                                                        phi_2234_ = true;
+                                                        phi_2235_ = false;
                                                     } else {
                                                         let _e1339 = select(_e1288, _e1275, (_e1275 < _e1288));
                                                         if (select(_e1301, _e1339, (_e1339 < _e1301)) > 0f) {
-                                                            phi_1445_ = true;
+                                                            phi_1501_ = true;
                                                         } else {
                                                             let _e1344 = select(_e1288, _e1275, (_e1275 > _e1288));
-                                                            phi_1445_ = (select(_e1301, _e1344, (_e1344 > _e1301)) < 0f);
+                                                            phi_1501_ = (select(_e1301, _e1344, (_e1344 > _e1301)) < 0f);
                                                         }
-                                                        let _e1349 = phi_1445_;
+                                                        let _e1349 = phi_1501_;
                                                         if _e1349 {
-                                                            phi_2150_ = type_29();
-                                                            phi_2151_ = true;
-                                                            phi_2152_ = false;
+                                                            phi_2230_ = type_29();
+                                                            phi_2231_ = true;
+                                                            phi_2232_ = false;
                                                         } else {
                                                             let _e1351 = select(_e1291, _e1278, (_e1278 < _e1291));
                                                             if (select(_e1304, _e1351, (_e1351 < _e1304)) > 0f) {
-                                                                phi_1474_ = true;
+                                                                phi_1530_ = true;
                                                             } else {
                                                                 let _e1356 = select(_e1291, _e1278, (_e1278 > _e1291));
-                                                                phi_1474_ = (select(_e1304, _e1356, (_e1356 > _e1304)) < 0f);
+                                                                phi_1530_ = (select(_e1304, _e1356, (_e1356 > _e1304)) < 0f);
                                                             }
-                                                            let _e1361 = phi_1474_;
+                                                            let _e1361 = phi_1530_;
                                                             if _e1361 {
-                                                                phi_2148_ = type_29();
-                                                                phi_2149_ = false;
+                                                                phi_2228_ = type_29();
+                                                                phi_2229_ = false;
                                                             } else {
                                                                 let _e1363 = select(_e1263[1][0], _e1263[0][0], (_e1263[0][0] < _e1263[1][0]));
                                                                 let _e1367 = select(_e1263[1][0], _e1263[0][0], (_e1263[0][0] > _e1263[1][0]));
@@ -872,12 +872,12 @@ fn function_() {
                                                                 let _e1418 = -(_e1399);
                                                                 let _e1424 = select(_e615, _e1409, (_e1409 > _e615));
                                                                 if (_e1424 > (_e1417 + (select(_e1418, _e1401, (_e1401 > _e1418)) * 0.0000019073523f))) {
-                                                                    phi_2143_ = type_29();
-                                                                    phi_2144_ = true;
+                                                                    phi_2223_ = type_29();
+                                                                    phi_2224_ = true;
                                                                 } else {
                                                                     let _e1426 = (_e1424 > _e1161.member.member_1);
                                                                     if _e1426 {
-                                                                        phi_2142_ = type_29();
+                                                                        phi_2222_ = type_29();
                                                                     } else {
                                                                         let _e1427 = vec3<f32>(_e1263[0][0], _e1263[0][1], _e1263[0][2]);
                                                                         let _e1428 = vec3<f32>(_e1263[1][0], _e1263[1][1], _e1263[1][2]);
@@ -912,49 +912,49 @@ fn function_() {
                                                                         let _e1482 = select(_e1467, _e1454, (_e1454 > _e1467));
                                                                         let _e1484 = select(_e1480, _e1482, (_e1482 > _e1480));
                                                                         if (_e1454 == _e1484) {
-                                                                            phi_1875_ = _e1291;
-                                                                            phi_1876_ = _e1288;
-                                                                            phi_1877_ = _e1278;
-                                                                            phi_1878_ = _e1275;
-                                                                            phi_1879_ = _e1427;
-                                                                            phi_1880_ = _e1441;
-                                                                            phi_1881_ = _e1437;
-                                                                            phi_1882_ = _e1433;
+                                                                            phi_1949_ = _e1291;
+                                                                            phi_1950_ = _e1288;
+                                                                            phi_1951_ = _e1278;
+                                                                            phi_1952_ = _e1275;
+                                                                            phi_1953_ = _e1427;
+                                                                            phi_1954_ = _e1441;
+                                                                            phi_1955_ = _e1437;
+                                                                            phi_1956_ = _e1433;
                                                                         } else {
                                                                             let _e1486 = (_e1467 == _e1484);
                                                                             let _e1491 = vec3(_e1486);
-                                                                            phi_1875_ = select(_e1278, _e1304, _e1486);
-                                                                            phi_1876_ = select(_e1275, _e1301, _e1486);
-                                                                            phi_1877_ = select(_e1304, _e1291, _e1486);
-                                                                            phi_1878_ = select(_e1301, _e1288, _e1486);
-                                                                            phi_1879_ = select(_e1429, _e1428, _e1491);
-                                                                            phi_1880_ = select(_e1437, _e1433, _e1491);
-                                                                            phi_1881_ = select(_e1433, _e1441, _e1491);
-                                                                            phi_1882_ = select(_e1441, _e1437, _e1491);
+                                                                            phi_1949_ = select(_e1278, _e1304, _e1486);
+                                                                            phi_1950_ = select(_e1275, _e1301, _e1486);
+                                                                            phi_1951_ = select(_e1304, _e1291, _e1486);
+                                                                            phi_1952_ = select(_e1301, _e1288, _e1486);
+                                                                            phi_1953_ = select(_e1429, _e1428, _e1491);
+                                                                            phi_1954_ = select(_e1437, _e1433, _e1491);
+                                                                            phi_1955_ = select(_e1433, _e1441, _e1491);
+                                                                            phi_1956_ = select(_e1441, _e1437, _e1491);
                                                                         }
-                                                                        let _e1497 = phi_1875_;
-                                                                        let _e1499 = phi_1876_;
-                                                                        let _e1501 = phi_1877_;
-                                                                        let _e1503 = phi_1878_;
-                                                                        let _e1505 = phi_1879_;
-                                                                        let _e1507 = phi_1880_;
-                                                                        let _e1509 = phi_1881_;
-                                                                        let _e1511 = phi_1882_;
+                                                                        let _e1497 = phi_1949_;
+                                                                        let _e1499 = phi_1950_;
+                                                                        let _e1501 = phi_1951_;
+                                                                        let _e1503 = phi_1952_;
+                                                                        let _e1505 = phi_1953_;
+                                                                        let _e1507 = phi_1954_;
+                                                                        let _e1509 = phi_1955_;
+                                                                        let _e1511 = phi_1956_;
                                                                         let _e1518 = ((_e1509.y * _e1507.z) - (_e1507.y * _e1509.z));
                                                                         let _e1523 = ((_e1509.z * _e1507.x) - (_e1507.z * _e1509.x));
                                                                         let _e1526 = ((_e1509.x * _e1507.y) - (_e1507.x * _e1509.y));
                                                                         if (_e1326 >= _e1330) {
-                                                                            phi_1913_ = select(true, false, (_e1326 >= _e1334));
+                                                                            phi_1993_ = select(true, false, (_e1326 >= _e1334));
                                                                         } else {
-                                                                            phi_1913_ = true;
+                                                                            phi_1993_ = true;
                                                                         }
-                                                                        let _e1531 = phi_1913_;
+                                                                        let _e1531 = phi_1993_;
                                                                         if _e1531 {
-                                                                            phi_1922_ = select(_e1429, _e1428, vec3((_e1330 >= _e1334)));
+                                                                            phi_2002_ = select(_e1429, _e1428, vec3((_e1330 >= _e1334)));
                                                                         } else {
-                                                                            phi_1922_ = _e1427;
+                                                                            phi_2002_ = _e1427;
                                                                         }
-                                                                        let _e1536 = phi_1922_;
+                                                                        let _e1536 = phi_2002_;
                                                                         let _e1547 = (((_e1518 * (_e1536.x - _e324)) + (_e1523 * (_e1536.y - _e393))) + (_e1526 * (_e1536.z - _e461)));
                                                                         let _e1552 = (((_e1518 * _e364) + (_e1523 * _e432)) + (_e1526 * _e500));
                                                                         let _e1553 = (_e1499 - _e1503);
@@ -986,280 +986,280 @@ fn function_() {
                                                                             let _e1650 = bitcast<f32>((bitcast<u32>(_e1507.z) & 2147483647u));
                                                                             let _e1654 = (bitcast<f32>((bitcast<u32>(_e1552) & 2147483647u)) > ((0.0000038146973f * select(_e1636, _e1633, (_e1633 > _e1636))) * select(_e1650, _e1647, (_e1647 > _e1650))));
                                                                             if _e1654 {
-                                                                                phi_2087_ = (_e1547 / _e1552);
+                                                                                phi_2167_ = (_e1547 / _e1552);
                                                                             } else {
-                                                                                phi_2087_ = f32();
+                                                                                phi_2167_ = f32();
                                                                             }
-                                                                            let _e1657 = phi_2087_;
-                                                                            phi_2089_ = _e1657;
-                                                                            phi_2090_ = select(true, false, _e1654);
+                                                                            let _e1657 = phi_2167_;
+                                                                            phi_2169_ = _e1657;
+                                                                            phi_2170_ = select(true, false, _e1654);
                                                                         } else {
-                                                                            phi_2089_ = f32();
-                                                                            phi_2090_ = true;
+                                                                            phi_2169_ = f32();
+                                                                            phi_2170_ = true;
                                                                         }
-                                                                        let _e1660 = phi_2089_;
-                                                                        let _e1662 = phi_2090_;
+                                                                        let _e1660 = phi_2169_;
+                                                                        let _e1662 = phi_2170_;
                                                                         if _e1662 {
                                                                             let _e1670 = (((_e1518 * (_e1579 - (_e364 * _e1582))) + (_e1523 * (_e1580 - (_e432 * _e1582)))) / _e1552);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u)) <= _e1484) {
-                                                                                phi_2110_ = (_e1582 + _e1670);
+                                                                                phi_2190_ = (_e1582 + _e1670);
                                                                             } else {
-                                                                                phi_2110_ = _e1582;
+                                                                                phi_2190_ = _e1582;
                                                                             }
-                                                                            let _e1677 = phi_2110_;
-                                                                            phi_2111_ = _e1677;
+                                                                            let _e1677 = phi_2190_;
+                                                                            phi_2191_ = _e1677;
                                                                         } else {
-                                                                            phi_2111_ = _e1660;
+                                                                            phi_2191_ = _e1660;
                                                                         }
-                                                                        let _e1679 = phi_2111_;
+                                                                        let _e1679 = phi_2191_;
                                                                         let _e1681 = select(_e1417, _e1679, (_e1679 < _e1417));
                                                                         let _e1683 = select(_e1409, _e1681, (_e1681 > _e1409));
                                                                         if (_e1683 >= _e615) {
                                                                             let _e1685 = (_e1683 <= _e1161.member.member_1);
                                                                             if _e1685 {
                                                                                 let _e1686 = (1f / _e1336);
-                                                                                phi_2134_ = type_29(_e1683, (_e1330 * _e1686), (_e1334 * _e1686), _e1196);
+                                                                                phi_2214_ = type_29(_e1683, (_e1330 * _e1686), (_e1334 * _e1686), _e1196);
                                                                             } else {
-                                                                                phi_2134_ = type_29();
+                                                                                phi_2214_ = type_29();
                                                                             }
-                                                                            let _e1691 = phi_2134_;
-                                                                            phi_2136_ = _e1691;
-                                                                            phi_2137_ = select(true, false, _e1685);
+                                                                            let _e1691 = phi_2214_;
+                                                                            phi_2216_ = _e1691;
+                                                                            phi_2217_ = select(true, false, _e1685);
                                                                         } else {
-                                                                            phi_2136_ = type_29();
-                                                                            phi_2137_ = true;
+                                                                            phi_2216_ = type_29();
+                                                                            phi_2217_ = true;
                                                                         }
-                                                                        let _e1694 = phi_2136_;
-                                                                        let _e1696 = phi_2137_;
+                                                                        let _e1694 = phi_2216_;
+                                                                        let _e1696 = phi_2217_;
                                                                         if _e1696 {
-                                                                            phi_2141_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2221_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2141_ = _e1694;
+                                                                            phi_2221_ = _e1694;
                                                                         }
-                                                                        let _e1698 = phi_2141_;
-                                                                        phi_2142_ = _e1698;
+                                                                        let _e1698 = phi_2221_;
+                                                                        phi_2222_ = _e1698;
                                                                     }
-                                                                    let _e1700 = phi_2142_;
-                                                                    phi_2143_ = _e1700;
-                                                                    phi_2144_ = _e1426;
+                                                                    let _e1700 = phi_2222_;
+                                                                    phi_2223_ = _e1700;
+                                                                    phi_2224_ = _e1426;
                                                                 }
-                                                                let _e1702 = phi_2143_;
-                                                                let _e1704 = phi_2144_;
-                                                                phi_2148_ = _e1702;
-                                                                phi_2149_ = _e1704;
+                                                                let _e1702 = phi_2223_;
+                                                                let _e1704 = phi_2224_;
+                                                                phi_2228_ = _e1702;
+                                                                phi_2229_ = _e1704;
                                                             }
-                                                            let _e1706 = phi_2148_;
-                                                            let _e1708 = phi_2149_;
-                                                            phi_2150_ = _e1706;
-                                                            phi_2151_ = _e1361;
-                                                            phi_2152_ = _e1708;
+                                                            let _e1706 = phi_2228_;
+                                                            let _e1708 = phi_2229_;
+                                                            phi_2230_ = _e1706;
+                                                            phi_2231_ = _e1361;
+                                                            phi_2232_ = _e1708;
                                                         }
-                                                        let _e1710 = phi_2150_;
-                                                        let _e1712 = phi_2151_;
-                                                        let _e1714 = phi_2152_;
-                                                        phi_2153_ = _e1710;
-                                                        phi_2154_ = _e1712;
-                                                        phi_2155_ = _e1714;
+                                                        let _e1710 = phi_2230_;
+                                                        let _e1712 = phi_2231_;
+                                                        let _e1714 = phi_2232_;
+                                                        phi_2233_ = _e1710;
+                                                        phi_2234_ = _e1712;
+                                                        phi_2235_ = _e1714;
                                                     }
-                                                    let _e1716 = phi_2153_;
-                                                    let _e1718 = phi_2154_;
-                                                    let _e1720 = phi_2155_;
-                                                    phi_2163_ = _e1716;
-                                                    phi_2164_ = select(_e1720, true, _e1718);
+                                                    let _e1716 = phi_2233_;
+                                                    let _e1718 = phi_2234_;
+                                                    let _e1720 = phi_2235_;
+                                                    phi_2243_ = _e1716;
+                                                    phi_2244_ = select(_e1720, true, _e1718);
                                                 } else {
-                                                    phi_2163_ = type_29();
-                                                    phi_2164_ = true;
+                                                    phi_2243_ = type_29();
+                                                    phi_2244_ = true;
                                                 }
-                                                let _e1723 = phi_2163_;
-                                                let _e1725 = phi_2164_;
+                                                let _e1723 = phi_2243_;
+                                                let _e1725 = phi_2244_;
                                                 if _e1725 {
-                                                    phi_2168_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2248_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2168_ = _e1723;
+                                                    phi_2248_ = _e1723;
                                                 }
-                                                let _e1727 = phi_2168_;
+                                                let _e1727 = phi_2248_;
                                                 if (_e1727.member_3 != 4294967295u) {
                                                     if (_e1196 != 4294967295u) {
                                                         if (_e1727.member < _e1161.member.member.member) {
-                                                            phi_2194_ = true;
+                                                            phi_2274_ = true;
                                                         } else {
                                                             if (_e1727.member == _e1161.member.member.member) {
-                                                                phi_2193_ = (_e1727.member_3 < _e1161.member.member.member_3);
+                                                                phi_2273_ = (_e1727.member_3 < _e1161.member.member.member_3);
                                                             } else {
-                                                                phi_2193_ = false;
+                                                                phi_2273_ = false;
                                                             }
-                                                            let _e1742 = phi_2193_;
-                                                            phi_2194_ = _e1742;
+                                                            let _e1742 = phi_2273_;
+                                                            phi_2274_ = _e1742;
                                                         }
-                                                        let _e1744 = phi_2194_;
+                                                        let _e1744 = phi_2274_;
                                                         if _e1744 {
-                                                            phi_2201_ = type_44(type_37(_e1727, _e1727.member), _e1188.member_1, _e1188.member_2);
+                                                            phi_2281_ = type_44(type_38(_e1727, _e1727.member), _e1188.member_1, _e1188.member_2);
                                                         } else {
-                                                            phi_2201_ = _e1188;
+                                                            phi_2281_ = _e1188;
                                                         }
-                                                        let _e1751 = phi_2201_;
-                                                        phi_2202_ = _e1751;
+                                                        let _e1751 = phi_2281_;
+                                                        phi_2282_ = _e1751;
                                                     } else {
-                                                        phi_2202_ = _e1188;
+                                                        phi_2282_ = _e1188;
                                                     }
-                                                    let _e1753 = phi_2202_;
-                                                    phi_2203_ = _e1753;
+                                                    let _e1753 = phi_2282_;
+                                                    phi_2283_ = _e1753;
                                                 } else {
-                                                    phi_2203_ = _e1188;
+                                                    phi_2283_ = _e1188;
                                                 }
-                                                let _e1755 = phi_2203_;
-                                                phi_1190_ = _e1755;
+                                                let _e1755 = phi_2283_;
+                                                phi_1208_ = _e1755;
                                             } else {
-                                                phi_1190_ = type_44();
+                                                phi_1208_ = type_44();
                                             }
-                                            let _e1757 = phi_1190_;
+                                            let _e1757 = phi_1208_;
                                             continue;
                                             continuing {
-                                                phi_1189_ = _e1757;
-                                                phi_1192_ = _e1176;
-                                                phi_3639_ = _e658;
+                                                phi_1207_ = _e1757;
+                                                phi_1210_ = _e1176;
+                                                phi_3751_ = _e658;
                                                 break if !(_e1182);
                                             }
                                         }
-                                        let _e1760 = phi_3639_;
-                                        phi_3799_ = _e1760;
+                                        let _e1760 = phi_3751_;
+                                        phi_3911_ = _e1760;
                                         if _e1760 {
                                             break;
                                         }
-                                        phi_3803_ = _e1760;
+                                        phi_3915_ = _e1760;
                                         let _e1938 = local_12;
-                                        phi_3411_ = _e1938;
-                                        phi_3412_ = _e700;
-                                        phi_3413_ = false;
-                                        phi_3414_ = _e704;
+                                        phi_3523_ = _e1938;
+                                        phi_3524_ = false;
+                                        phi_3525_ = _e702;
+                                        phi_3526_ = _e704;
                                     } else {
-                                        if (_e700.member_1 >= _e90) {
-                                            phi_2967_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e704.member_1 >= _e90) {
+                                            phi_3054_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e700.member_1 < _e90) {
+                                            if (_e704.member_1 < _e90) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e722 = ((1u + _e260) % 4u);
-                                            if (_e722 < 4u) {
+                                            let _e716 = ((1u + _e260) % 4u);
+                                            if (_e716 < 4u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e727 = global_4.member[_e700.member_1][_e722];
-                                            let _e729 = (_e727 >> bitcast<u32>(11u));
-                                            let _e731 = ((1u + _e259) % 4u);
-                                            if (_e731 < 4u) {
+                                            let _e721 = global_4.member[_e704.member_1][_e716];
+                                            let _e723 = (_e721 >> bitcast<u32>(11u));
+                                            let _e725 = ((1u + _e259) % 4u);
+                                            if (_e725 < 4u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e736 = global_4.member[_e700.member_1][_e731];
-                                            let _e738 = (_e736 >> bitcast<u32>(11u));
-                                            let _e740 = ((1u + _e261) % 4u);
-                                            if (_e740 < 4u) {
+                                            let _e730 = global_4.member[_e704.member_1][_e725];
+                                            let _e732 = (_e730 >> bitcast<u32>(11u));
+                                            let _e734 = ((1u + _e261) % 4u);
+                                            if (_e734 < 4u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e745 = global_4.member[_e700.member_1][_e740];
-                                            let _e747 = (_e745 >> bitcast<u32>(11u));
-                                            let _e770 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e771 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e772 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e774 = select(_e140, _e770, (_e770 > _e140));
-                                            let _e776 = select(_e140, _e771, (_e771 > _e140));
-                                            let _e778 = select(_e140, _e772, (_e772 > _e140));
-                                            let _e809 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 1023u))) - 8388608f) * _e774));
-                                            let _e814 = (bitcast<i32>((_e727 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e817 = bitcast<f32>((_e809 & bitcast<u32>(_e814)));
-                                            let _e818 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 1023u))) - 8388608f) * _e776));
-                                            let _e823 = (bitcast<i32>((_e736 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e826 = bitcast<f32>((_e818 & bitcast<u32>(_e823)));
-                                            let _e827 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 1023u))) - 8388608f) * _e778));
-                                            let _e832 = (bitcast<i32>((_e745 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e835 = bitcast<f32>((_e827 & bitcast<u32>(_e832)));
-                                            let _e839 = bitcast<f32>((_e809 & bitcast<u32>(~(_e814))));
-                                            let _e843 = bitcast<f32>((_e818 & bitcast<u32>(~(_e823))));
-                                            let _e847 = bitcast<f32>((_e827 & bitcast<u32>(~(_e832))));
-                                            let _e848 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 1023u))) - 8388608f) * _e774));
-                                            let _e853 = (bitcast<i32>((_e729 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e856 = bitcast<f32>((_e848 & bitcast<u32>(_e853)));
-                                            let _e857 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e738 & 1023u))) - 8388608f) * _e776));
-                                            let _e862 = (bitcast<i32>((_e738 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e865 = bitcast<f32>((_e857 & bitcast<u32>(_e862)));
-                                            let _e866 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e747 & 1023u))) - 8388608f) * _e778));
-                                            let _e871 = (bitcast<i32>((_e747 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e874 = bitcast<f32>((_e866 & bitcast<u32>(_e871)));
-                                            let _e878 = bitcast<f32>((_e848 & bitcast<u32>(~(_e853))));
-                                            let _e882 = bitcast<f32>((_e857 & bitcast<u32>(~(_e862))));
-                                            let _e886 = bitcast<f32>((_e866 & bitcast<u32>(~(_e871))));
-                                            let _e916 = global_4.member[_e700.member_1][0u];
-                                            let _e920 = global_4.member[_e700.member_1][1u];
-                                            let _e924 = global_4.member[_e700.member_1][2u];
-                                            let _e928 = global_4.member[_e700.member_1][3u];
-                                            let _e940 = (((_e920 >> bitcast<u32>(22i)) | ((_e924 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e928 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e941 = (_e916 & 268435455u);
-                                            let _e942 = (_e940 & 268435455u);
-                                            let _e945 = ((_e916 >> bitcast<u32>(28u)) & 7u);
-                                            let _e953 = ((_e916 >> bitcast<u32>(31i)) | (((_e940 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e954 = (_e945 != 0u);
-                                            if (_e945 == 0u) {
-                                                phi_2929_ = _e941;
+                                            let _e739 = global_4.member[_e704.member_1][_e734];
+                                            let _e741 = (_e739 >> bitcast<u32>(11u));
+                                            let _e764 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e765 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e766 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e768 = select(_e140, _e764, (_e764 > _e140));
+                                            let _e770 = select(_e140, _e765, (_e765 > _e140));
+                                            let _e772 = select(_e140, _e766, (_e766 > _e140));
+                                            let _e803 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e721 & 1023u))) - 8388608f) * _e768));
+                                            let _e808 = (bitcast<i32>((_e721 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e811 = bitcast<f32>((_e803 & bitcast<u32>(_e808)));
+                                            let _e812 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e770));
+                                            let _e817 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e820 = bitcast<f32>((_e812 & bitcast<u32>(_e817)));
+                                            let _e821 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 1023u))) - 8388608f) * _e772));
+                                            let _e826 = (bitcast<i32>((_e739 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e829 = bitcast<f32>((_e821 & bitcast<u32>(_e826)));
+                                            let _e833 = bitcast<f32>((_e803 & bitcast<u32>(~(_e808))));
+                                            let _e837 = bitcast<f32>((_e812 & bitcast<u32>(~(_e817))));
+                                            let _e841 = bitcast<f32>((_e821 & bitcast<u32>(~(_e826))));
+                                            let _e842 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 1023u))) - 8388608f) * _e768));
+                                            let _e847 = (bitcast<i32>((_e723 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e850 = bitcast<f32>((_e842 & bitcast<u32>(_e847)));
+                                            let _e851 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e732 & 1023u))) - 8388608f) * _e770));
+                                            let _e856 = (bitcast<i32>((_e732 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e859 = bitcast<f32>((_e851 & bitcast<u32>(_e856)));
+                                            let _e860 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 1023u))) - 8388608f) * _e772));
+                                            let _e865 = (bitcast<i32>((_e741 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e868 = bitcast<f32>((_e860 & bitcast<u32>(_e865)));
+                                            let _e872 = bitcast<f32>((_e842 & bitcast<u32>(~(_e847))));
+                                            let _e876 = bitcast<f32>((_e851 & bitcast<u32>(~(_e856))));
+                                            let _e880 = bitcast<f32>((_e860 & bitcast<u32>(~(_e865))));
+                                            let _e910 = global_4.member[_e704.member_1][0u];
+                                            let _e914 = global_4.member[_e704.member_1][1u];
+                                            let _e918 = global_4.member[_e704.member_1][2u];
+                                            let _e922 = global_4.member[_e704.member_1][3u];
+                                            let _e934 = (((_e914 >> bitcast<u32>(22i)) | ((_e918 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e922 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e935 = (_e910 & 268435455u);
+                                            let _e936 = (_e934 & 268435455u);
+                                            let _e939 = ((_e910 >> bitcast<u32>(28u)) & 7u);
+                                            let _e947 = ((_e910 >> bitcast<u32>(31i)) | (((_e934 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e948 = (_e939 != 0u);
+                                            if (_e939 == 0u) {
+                                                phi_3016_ = _e935;
                                             } else {
-                                                if (_e945 == 7u) {
-                                                    phi_2928_ = 2147483648u;
+                                                if (_e939 == 7u) {
+                                                    phi_3015_ = 2147483648u;
                                                 } else {
-                                                    phi_2928_ = ((2147483648u | (_e945 << bitcast<u32>(28u))) | (_e942 & 268435455u));
+                                                    phi_3015_ = ((2147483648u | (_e939 << bitcast<u32>(28u))) | (_e936 & 268435455u));
                                                 }
-                                                let _e963 = phi_2928_;
-                                                phi_2929_ = _e963;
+                                                let _e957 = phi_3015_;
+                                                phi_3016_ = _e957;
                                             }
-                                            let _e965 = phi_2929_;
-                                            if _e954 {
-                                                let _e966 = (_e945 != 7u);
-                                                if _e966 {
-                                                    phi_2939_ = (_e942 + _e945);
+                                            let _e959 = phi_3016_;
+                                            if _e948 {
+                                                let _e960 = (_e939 != 7u);
+                                                if _e960 {
+                                                    phi_3026_ = (_e936 + _e939);
                                                 } else {
-                                                    phi_2939_ = u32();
+                                                    phi_3026_ = u32();
                                                 }
-                                                let _e969 = phi_2939_;
-                                                phi_2941_ = _e969;
-                                                phi_2942_ = select(true, false, _e966);
+                                                let _e963 = phi_3026_;
+                                                phi_3028_ = _e963;
+                                                phi_3029_ = select(true, false, _e960);
                                             } else {
-                                                phi_2941_ = u32();
-                                                phi_2942_ = true;
+                                                phi_3028_ = u32();
+                                                phi_3029_ = true;
                                             }
-                                            let _e972 = phi_2941_;
-                                            let _e974 = phi_2942_;
-                                            if (_e953 == 0u) {
-                                                phi_2963_ = (_e941 + select(0u, 1u, !(_e954)));
+                                            let _e966 = phi_3028_;
+                                            let _e968 = phi_3029_;
+                                            if (_e947 == 0u) {
+                                                phi_3050_ = (_e935 + select(0u, 1u, !(_e948)));
                                             } else {
-                                                if (_e953 == 7u) {
-                                                    phi_2962_ = 2147483648u;
+                                                if (_e947 == 7u) {
+                                                    phi_3049_ = 2147483648u;
                                                 } else {
-                                                    phi_2962_ = ((2147483648u | (_e953 << bitcast<u32>(28u))) | (select(_e972, _e942, _e974) & 268435455u));
+                                                    phi_3049_ = ((2147483648u | (_e947 << bitcast<u32>(28u))) | (select(_e966, _e936, _e968) & 268435455u));
                                                 }
-                                                let _e987 = phi_2962_;
-                                                phi_2963_ = _e987;
+                                                let _e981 = phi_3049_;
+                                                phi_3050_ = _e981;
                                             }
-                                            let _e989 = phi_2963_;
-                                            phi_2967_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e700.member.member.x + _e817), (_e700.member.member.x + _e839), (_e700.member.member_1.x - _e856), (_e700.member.member_1.x - _e878)), vec4<f32>((_e700.member.member.y + _e826), (_e700.member.member.y + _e843), (_e700.member.member_1.y - _e865), (_e700.member.member_1.y - _e882)), vec4<f32>((_e700.member.member.z + _e835), (_e700.member.member.z + _e847), (_e700.member.member_1.z - _e874), (_e700.member.member_1.z - _e886))), type_51(type_33((_e700.member.member + vec4<f32>(_e817, _e826, _e835, 0f)), (_e700.member.member_1 - vec4<f32>(_e856, _e865, _e874, 0f))), _e965), type_51(type_33((_e700.member.member + vec4<f32>(_e839, _e843, _e847, 0f)), (_e700.member.member_1 - vec4<f32>(_e878, _e882, _e886, 0f))), _e989));
+                                            let _e983 = phi_3050_;
+                                            phi_3054_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e704.member.member.x + _e811), (_e704.member.member.x + _e833), (_e704.member.member_1.x - _e850), (_e704.member.member_1.x - _e872)), vec4<f32>((_e704.member.member.y + _e820), (_e704.member.member.y + _e837), (_e704.member.member_1.y - _e859), (_e704.member.member_1.y - _e876)), vec4<f32>((_e704.member.member.z + _e829), (_e704.member.member.z + _e841), (_e704.member.member_1.z - _e868), (_e704.member.member_1.z - _e880))), type_51(type_33((_e704.member.member + vec4<f32>(_e811, _e820, _e829, 0f)), (_e704.member.member_1 - vec4<f32>(_e850, _e859, _e868, 0f))), _e959), type_51(type_33((_e704.member.member + vec4<f32>(_e833, _e837, _e841, 0f)), (_e704.member.member_1 - vec4<f32>(_e872, _e876, _e880, 0f))), _e983));
                                         }
-                                        let _e994 = phi_2967_;
-                                        let _e1007 = ((_e994.member[0].x - _e362) * _e367);
-                                        let _e1008 = ((_e994.member[0].y - _e362) * _e367);
-                                        let _e1009 = ((_e994.member[0].z - _e363) * _e367);
-                                        let _e1010 = ((_e994.member[0].w - _e363) * _e367);
-                                        let _e1020 = ((_e994.member[1].x - _e430) * _e435);
-                                        let _e1021 = ((_e994.member[1].y - _e430) * _e435);
-                                        let _e1022 = ((_e994.member[1].z - _e431) * _e435);
-                                        let _e1023 = ((_e994.member[1].w - _e431) * _e435);
-                                        let _e1033 = ((_e994.member[2].x - _e498) * _e503);
-                                        let _e1034 = ((_e994.member[2].y - _e498) * _e503);
-                                        let _e1035 = ((_e994.member[2].z - _e499) * _e503);
-                                        let _e1036 = ((_e994.member[2].w - _e499) * _e503);
+                                        let _e988 = phi_3054_;
+                                        let _e1007 = ((_e988.member[0].x - _e362) * _e367);
+                                        let _e1008 = ((_e988.member[0].y - _e362) * _e367);
+                                        let _e1009 = ((_e988.member[0].z - _e363) * _e367);
+                                        let _e1010 = ((_e988.member[0].w - _e363) * _e367);
+                                        let _e1020 = ((_e988.member[1].x - _e430) * _e435);
+                                        let _e1021 = ((_e988.member[1].y - _e430) * _e435);
+                                        let _e1022 = ((_e988.member[1].z - _e431) * _e435);
+                                        let _e1023 = ((_e988.member[1].w - _e431) * _e435);
+                                        let _e1033 = ((_e988.member[2].x - _e498) * _e503);
+                                        let _e1034 = ((_e988.member[2].y - _e498) * _e503);
+                                        let _e1035 = ((_e988.member[2].z - _e499) * _e503);
+                                        let _e1036 = ((_e988.member[2].w - _e499) * _e503);
                                         let _e1038 = select(_e1035, _e1033, (_e1033 < _e1035));
                                         let _e1040 = select(_e1036, _e1034, (_e1034 < _e1036));
                                         let _e1042 = select(_e1035, _e1033, (_e1033 > _e1035));
@@ -1290,188 +1290,188 @@ fn function_() {
                                         if _e1095 {
                                             if _e1096 {
                                                 if _e1097 {
-                                                    phi_3311_ = _e994.member_2;
+                                                    phi_3419_ = _e988.member_2;
                                                 } else {
-                                                    phi_3311_ = _e994.member_1;
+                                                    phi_3419_ = _e988.member_1;
                                                 }
-                                                let _e1101 = phi_3311_;
-                                                let _e1123 = (_e704 % 128u);
+                                                let _e1101 = phi_3419_;
+                                                let _e1123 = (_e702 % 128u);
                                                 let _e1124 = (_e1123 < 128u);
                                                 if _e1124 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_8[_e1123] = _e1101.member_1;
                                                 if _e1124 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_7[_e1123] = _e1101.member.member.x;
                                                 if _e1124 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1123] = _e1101.member.member.y;
                                                 if _e1124 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1123] = _e1101.member.member.z;
                                                 if _e1124 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1123] = _e1101.member.member_1.x;
                                                 if _e1124 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1123] = _e1101.member.member_1.y;
                                                 if _e1124 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1123] = _e1101.member.member_1.z;
                                                 if _e1124 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1123] = select(_e1090, _e1088, (_e1088 > _e1090));
+                                                local_9[_e1123] = select(_e1090, _e1088, !(_e1097));
                                                 if _e1097 {
-                                                    phi_3388_ = _e994.member_1;
+                                                    phi_3496_ = _e988.member_1;
                                                 } else {
-                                                    phi_3388_ = _e994.member_2;
+                                                    phi_3496_ = _e988.member_2;
                                                 }
-                                                let _e1137 = phi_3388_;
-                                                phi_3389_ = _e1137;
-                                                phi_3390_ = (_e704 + 1u);
+                                                let _e1137 = phi_3496_;
+                                                phi_3497_ = (_e702 + 1u);
+                                                phi_3498_ = _e1137;
                                             } else {
-                                                phi_3389_ = type_51();
-                                                phi_3390_ = u32();
+                                                phi_3497_ = u32();
+                                                phi_3498_ = type_51();
                                             }
-                                            let _e1139 = phi_3389_;
-                                            let _e1141 = phi_3390_;
-                                            phi_3392_ = _e1139;
-                                            phi_3393_ = _e1141;
-                                            phi_3394_ = select(true, false, _e1096);
+                                            let _e1139 = phi_3497_;
+                                            let _e1141 = phi_3498_;
+                                            phi_3500_ = _e1139;
+                                            phi_3501_ = _e1141;
+                                            phi_3502_ = select(true, false, _e1096);
                                         } else {
-                                            phi_3392_ = type_51();
-                                            phi_3393_ = u32();
-                                            phi_3394_ = true;
+                                            phi_3500_ = u32();
+                                            phi_3501_ = type_51();
+                                            phi_3502_ = true;
                                         }
-                                        let _e1144 = phi_3392_;
-                                        let _e1146 = phi_3393_;
-                                        let _e1148 = phi_3394_;
+                                        let _e1144 = phi_3500_;
+                                        let _e1146 = phi_3501_;
+                                        let _e1148 = phi_3502_;
                                         if _e1148 {
                                             if _e1095 {
-                                                phi_3403_ = _e994.member_1;
+                                                phi_3511_ = _e988.member_1;
                                             } else {
-                                                phi_3403_ = _e994.member_2;
+                                                phi_3511_ = _e988.member_2;
                                             }
-                                            let _e1152 = phi_3403_;
-                                            phi_3408_ = _e1152;
-                                            phi_3409_ = select(_e1096, true, _e1095);
+                                            let _e1152 = phi_3511_;
+                                            phi_3516_ = select(_e1096, true, _e1095);
+                                            phi_3518_ = _e1152;
                                         } else {
-                                            phi_3408_ = _e1144;
-                                            phi_3409_ = _e702;
+                                            phi_3516_ = _e700;
+                                            phi_3518_ = _e1146;
                                         }
-                                        let _e1155 = phi_3408_;
-                                        let _e1157 = phi_3409_;
-                                        phi_3803_ = _e658;
-                                        phi_3411_ = type_44(_e660.member, (_e660.member_1 + 1u), _e660.member_2);
-                                        phi_3412_ = _e1155;
-                                        phi_3413_ = _e1157;
-                                        phi_3414_ = select(_e1146, _e704, _e1148);
+                                        let _e1155 = phi_3516_;
+                                        let _e1157 = phi_3518_;
+                                        phi_3915_ = _e658;
+                                        phi_3523_ = type_44(_e660.member, (_e660.member_1 + 1u), _e660.member_2);
+                                        phi_3524_ = _e1155;
+                                        phi_3525_ = select(_e1144, _e702, _e1148);
+                                        phi_3526_ = _e1157;
                                     }
-                                    let _e1762 = phi_3803_;
-                                    let _e1764 = phi_3411_;
-                                    let _e1766 = phi_3412_;
-                                    let _e1768 = phi_3413_;
-                                    let _e1770 = phi_3414_;
-                                    phi_3802_ = _e1762;
-                                    phi_3415_ = _e1764;
-                                    phi_3416_ = _e1766;
-                                    phi_3417_ = (_e664 - 1u);
-                                    phi_3418_ = _e1768;
-                                    phi_3419_ = _e1770;
+                                    let _e1762 = phi_3915_;
+                                    let _e1764 = phi_3523_;
+                                    let _e1766 = phi_3524_;
+                                    let _e1768 = phi_3525_;
+                                    let _e1770 = phi_3526_;
+                                    phi_3914_ = _e1762;
+                                    phi_3527_ = _e1764;
+                                    phi_3528_ = _e1766;
+                                    phi_3529_ = (_e664 - 1u);
+                                    phi_3530_ = _e1768;
+                                    phi_3531_ = _e1770;
                                 } else {
-                                    phi_3802_ = _e658;
-                                    phi_3415_ = _e660;
-                                    phi_3416_ = _e700;
-                                    phi_3417_ = _e664;
-                                    phi_3418_ = _e702;
-                                    phi_3419_ = _e704;
+                                    phi_3914_ = _e658;
+                                    phi_3527_ = _e660;
+                                    phi_3528_ = _e700;
+                                    phi_3529_ = _e664;
+                                    phi_3530_ = _e702;
+                                    phi_3531_ = _e704;
                                 }
-                                let _e1772 = phi_3802_;
-                                let _e1774 = phi_3415_;
-                                let _e1776 = phi_3416_;
-                                let _e1778 = phi_3417_;
-                                let _e1780 = phi_3418_;
-                                let _e1782 = phi_3419_;
-                                phi_3801_ = _e1772;
-                                phi_3420_ = _e1774;
-                                phi_3421_ = _e1776;
-                                phi_3422_ = _e1778;
-                                phi_3423_ = _e1780;
-                                phi_3424_ = _e1782;
+                                let _e1772 = phi_3914_;
+                                let _e1774 = phi_3527_;
+                                let _e1776 = phi_3528_;
+                                let _e1778 = phi_3529_;
+                                let _e1780 = phi_3530_;
+                                let _e1782 = phi_3531_;
+                                phi_3913_ = _e1772;
+                                phi_3532_ = _e1774;
+                                phi_3533_ = _e1776;
+                                phi_3534_ = _e1778;
+                                phi_3535_ = _e1780;
+                                phi_3536_ = _e1782;
                             } else {
-                                phi_3801_ = _e658;
-                                phi_3420_ = type_44();
-                                phi_3421_ = type_51();
-                                phi_3422_ = u32();
-                                phi_3423_ = bool();
-                                phi_3424_ = u32();
+                                phi_3913_ = _e658;
+                                phi_3532_ = type_44();
+                                phi_3533_ = bool();
+                                phi_3534_ = u32();
+                                phi_3535_ = u32();
+                                phi_3536_ = type_51();
                             }
-                            let _e1784 = phi_3801_;
-                            let _e1786 = phi_3420_;
-                            let _e1788 = phi_3421_;
-                            let _e1790 = phi_3422_;
-                            let _e1792 = phi_3423_;
-                            let _e1794 = phi_3424_;
-                            phi_3800_ = _e1784;
-                            phi_1064_ = _e1786;
-                            phi_1067_ = _e1788;
-                            phi_1069_ = _e1790;
-                            phi_1071_ = _e1792;
-                            phi_1073_ = _e1794;
-                            phi_3425_ = _e672;
+                            let _e1784 = phi_3913_;
+                            let _e1786 = phi_3532_;
+                            let _e1788 = phi_3533_;
+                            let _e1790 = phi_3534_;
+                            let _e1792 = phi_3535_;
+                            let _e1794 = phi_3536_;
+                            phi_3912_ = _e1784;
+                            phi_1082_ = _e1786;
+                            phi_1085_ = _e1788;
+                            phi_1087_ = _e1790;
+                            phi_1089_ = _e1792;
+                            phi_1091_ = _e1794;
+                            phi_3537_ = _e672;
                         } else {
-                            phi_3800_ = _e658;
-                            phi_1064_ = type_44();
-                            phi_1067_ = type_51();
-                            phi_1069_ = u32();
-                            phi_1071_ = bool();
-                            phi_1073_ = u32();
-                            phi_3425_ = false;
+                            phi_3912_ = _e658;
+                            phi_1082_ = type_44();
+                            phi_1085_ = bool();
+                            phi_1087_ = u32();
+                            phi_1089_ = u32();
+                            phi_1091_ = type_51();
+                            phi_3537_ = false;
                         }
-                        let _e1796 = phi_3800_;
-                        let _e1798 = phi_1064_;
-                        let _e1800 = phi_1067_;
-                        let _e1802 = phi_1069_;
-                        let _e1804 = phi_1071_;
-                        let _e1806 = phi_1073_;
-                        let _e1808 = phi_3425_;
+                        let _e1796 = phi_3912_;
+                        let _e1798 = phi_1082_;
+                        let _e1800 = phi_1085_;
+                        let _e1802 = phi_1087_;
+                        let _e1804 = phi_1089_;
+                        let _e1806 = phi_1091_;
+                        let _e1808 = phi_3537_;
                         continue;
                         continuing {
-                            phi_3645_ = _e1796;
-                            phi_1063_ = _e1798;
-                            phi_1066_ = _e1800;
-                            phi_1068_ = _e1802;
-                            phi_1070_ = _e1804;
-                            phi_1072_ = _e1806;
-                            phi_3799_ = _e1796;
+                            phi_3757_ = _e1796;
+                            phi_1081_ = _e1798;
+                            phi_1084_ = _e1800;
+                            phi_1086_ = _e1802;
+                            phi_1088_ = _e1804;
+                            phi_1090_ = _e1806;
+                            phi_3911_ = _e1796;
                             break if !(_e1808);
                         }
                     }
-                    let _e1811 = phi_3799_;
+                    let _e1811 = phi_3911_;
                     if _e1811 {
                         break;
                     }

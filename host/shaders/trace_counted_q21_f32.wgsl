@@ -39,7 +39,7 @@ struct type_29 {
     member_1: vec4<f32>,
 }
 
-struct type_33 {
+struct type_34 {
     member: type_25,
     member_1: f32,
 }
@@ -49,7 +49,7 @@ struct type_38 {
 }
 
 struct type_40 {
-    member: type_33,
+    member: type_34,
     member_1: u32,
     member_2: u32,
 }
@@ -98,142 +98,142 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_384_: i32;
-    var phi_385_: i32;
-    var phi_395_: bool;
-    var phi_405_: u32;
-    var phi_406_: u32;
-    var phi_408_: bool;
+    var phi_391_: i32;
+    var phi_392_: i32;
+    var phi_402_: bool;
+    var phi_412_: u32;
     var phi_413_: u32;
-    var phi_425_: i32;
-    var phi_445_: i32;
-    var phi_463_: f32;
-    var phi_469_: f32;
-    var phi_509_: f32;
-    var phi_515_: f32;
-    var phi_567_: f32;
-    var phi_578_: f32;
+    var phi_415_: bool;
+    var phi_420_: u32;
+    var phi_433_: i32;
+    var phi_453_: i32;
+    var phi_471_: f32;
+    var phi_477_: f32;
+    var phi_517_: f32;
+    var phi_523_: f32;
+    var phi_575_: f32;
     var phi_587_: f32;
-    var phi_593_: f32;
-    var phi_633_: f32;
-    var phi_639_: f32;
-    var phi_691_: f32;
-    var phi_702_: f32;
-    var phi_711_: f32;
-    var phi_717_: f32;
-    var phi_757_: f32;
-    var phi_763_: f32;
-    var phi_815_: f32;
-    var phi_826_: f32;
-    var phi_881_: i32;
-    var phi_903_: u32;
-    var phi_904_: u32;
-    var phi_941_: i32;
-    var phi_963_: u32;
-    var phi_964_: u32;
-    var phi_972_: f32;
-    var phi_973_: f32;
-    var phi_3645_: bool;
-    var phi_1063_: type_40;
-    var phi_1066_: type_51;
-    var phi_1068_: u32;
-    var phi_1070_: bool;
-    var phi_1072_: u32;
-    var phi_1083_: bool;
-    var phi_1169_: type_51;
-    var phi_1170_: bool;
-    var phi_1171_: u32;
-    var phi_2928_: u32;
-    var phi_2929_: u32;
-    var phi_2939_: u32;
-    var phi_2941_: u32;
-    var phi_2942_: bool;
-    var phi_2962_: u32;
-    var phi_2963_: u32;
-    var phi_2967_: type_52;
-    var phi_3311_: type_51;
-    var phi_3388_: type_51;
-    var phi_3389_: type_51;
-    var phi_3390_: u32;
-    var phi_3392_: type_51;
-    var phi_3393_: u32;
-    var phi_3394_: bool;
-    var phi_3403_: type_51;
-    var phi_3408_: type_51;
-    var phi_3409_: bool;
-    var phi_1189_: type_40;
-    var phi_1192_: type_4;
-    var phi_1193_: type_4;
-    var phi_1215_: type_4;
-    var phi_1239_: u32;
-    var phi_1328_: array<array<f32, 3>, 3>;
-    var phi_1445_: bool;
-    var phi_1474_: bool;
-    var phi_1875_: f32;
-    var phi_1876_: f32;
-    var phi_1877_: f32;
-    var phi_1878_: f32;
-    var phi_1879_: vec3<f32>;
-    var phi_1880_: vec3<f32>;
-    var phi_1881_: vec3<f32>;
-    var phi_1882_: vec3<f32>;
-    var phi_1913_: bool;
-    var phi_1922_: vec3<f32>;
-    var phi_2087_: f32;
-    var phi_2089_: f32;
-    var phi_2090_: bool;
-    var phi_2110_: f32;
-    var phi_2111_: f32;
-    var phi_2134_: type_25;
-    var phi_2136_: type_25;
-    var phi_2137_: bool;
-    var phi_2141_: type_25;
-    var phi_2142_: type_25;
-    var phi_2143_: type_25;
-    var phi_2144_: bool;
-    var phi_2148_: type_25;
-    var phi_2149_: bool;
-    var phi_2150_: type_25;
-    var phi_2151_: bool;
-    var phi_2152_: bool;
-    var phi_2153_: type_25;
-    var phi_2154_: bool;
-    var phi_2155_: bool;
-    var phi_2163_: type_25;
-    var phi_2164_: bool;
-    var phi_2168_: type_25;
-    var phi_2193_: bool;
-    var phi_2194_: bool;
-    var phi_2201_: type_40;
-    var phi_2202_: type_40;
-    var phi_2203_: type_40;
-    var phi_1190_: type_40;
-    var phi_3639_: bool;
-    var phi_3803_: bool;
-    var phi_3411_: type_40;
-    var phi_3412_: type_51;
-    var phi_3413_: bool;
-    var phi_3414_: u32;
-    var phi_3802_: bool;
-    var phi_3415_: type_40;
-    var phi_3416_: type_51;
-    var phi_3417_: u32;
-    var phi_3418_: bool;
-    var phi_3419_: u32;
-    var phi_3801_: bool;
-    var phi_3420_: type_40;
-    var phi_3421_: type_51;
-    var phi_3422_: u32;
-    var phi_3423_: bool;
-    var phi_3424_: u32;
-    var phi_3800_: bool;
-    var phi_1064_: type_40;
-    var phi_1067_: type_51;
-    var phi_1069_: u32;
-    var phi_1071_: bool;
-    var phi_1073_: u32;
-    var phi_3425_: bool;
-    var phi_3799_: bool;
+    var phi_596_: f32;
+    var phi_602_: f32;
+    var phi_642_: f32;
+    var phi_648_: f32;
+    var phi_700_: f32;
+    var phi_712_: f32;
+    var phi_721_: f32;
+    var phi_727_: f32;
+    var phi_767_: f32;
+    var phi_773_: f32;
+    var phi_825_: f32;
+    var phi_837_: f32;
+    var phi_892_: i32;
+    var phi_914_: u32;
+    var phi_915_: u32;
+    var phi_952_: i32;
+    var phi_974_: u32;
+    var phi_975_: u32;
+    var phi_983_: f32;
+    var phi_984_: f32;
+    var phi_3757_: bool;
+    var phi_1081_: type_40;
+    var phi_1084_: bool;
+    var phi_1086_: u32;
+    var phi_1088_: u32;
+    var phi_1090_: type_51;
+    var phi_1101_: bool;
+    var phi_1187_: bool;
+    var phi_1188_: u32;
+    var phi_1189_: type_51;
+    var phi_3015_: u32;
+    var phi_3016_: u32;
+    var phi_3026_: u32;
+    var phi_3028_: u32;
+    var phi_3029_: bool;
+    var phi_3049_: u32;
+    var phi_3050_: u32;
+    var phi_3054_: type_52;
+    var phi_3419_: type_51;
+    var phi_3496_: type_51;
+    var phi_3497_: u32;
+    var phi_3498_: type_51;
+    var phi_3500_: u32;
+    var phi_3501_: type_51;
+    var phi_3502_: bool;
+    var phi_3511_: type_51;
+    var phi_3516_: bool;
+    var phi_3518_: type_51;
+    var phi_1207_: type_40;
+    var phi_1210_: type_4;
+    var phi_1211_: type_4;
+    var phi_1233_: type_4;
+    var phi_1257_: u32;
+    var phi_1349_: array<array<f32, 3>, 3>;
+    var phi_1501_: bool;
+    var phi_1530_: bool;
+    var phi_1949_: f32;
+    var phi_1950_: f32;
+    var phi_1951_: f32;
+    var phi_1952_: f32;
+    var phi_1953_: vec3<f32>;
+    var phi_1954_: vec3<f32>;
+    var phi_1955_: vec3<f32>;
+    var phi_1956_: vec3<f32>;
+    var phi_1993_: bool;
+    var phi_2002_: vec3<f32>;
+    var phi_2167_: f32;
+    var phi_2169_: f32;
+    var phi_2170_: bool;
+    var phi_2190_: f32;
+    var phi_2191_: f32;
+    var phi_2214_: type_25;
+    var phi_2216_: type_25;
+    var phi_2217_: bool;
+    var phi_2221_: type_25;
+    var phi_2222_: type_25;
+    var phi_2223_: type_25;
+    var phi_2224_: bool;
+    var phi_2228_: type_25;
+    var phi_2229_: bool;
+    var phi_2230_: type_25;
+    var phi_2231_: bool;
+    var phi_2232_: bool;
+    var phi_2233_: type_25;
+    var phi_2234_: bool;
+    var phi_2235_: bool;
+    var phi_2243_: type_25;
+    var phi_2244_: bool;
+    var phi_2248_: type_25;
+    var phi_2273_: bool;
+    var phi_2274_: bool;
+    var phi_2281_: type_40;
+    var phi_2282_: type_40;
+    var phi_2283_: type_40;
+    var phi_1208_: type_40;
+    var phi_3751_: bool;
+    var phi_3915_: bool;
+    var phi_3523_: type_40;
+    var phi_3524_: bool;
+    var phi_3525_: u32;
+    var phi_3526_: type_51;
+    var phi_3914_: bool;
+    var phi_3527_: type_40;
+    var phi_3528_: bool;
+    var phi_3529_: u32;
+    var phi_3530_: u32;
+    var phi_3531_: type_51;
+    var phi_3913_: bool;
+    var phi_3532_: type_40;
+    var phi_3533_: bool;
+    var phi_3534_: u32;
+    var phi_3535_: u32;
+    var phi_3536_: type_51;
+    var phi_3912_: bool;
+    var phi_1082_: type_40;
+    var phi_1085_: bool;
+    var phi_1087_: u32;
+    var phi_1089_: u32;
+    var phi_1091_: type_51;
+    var phi_3537_: bool;
+    var phi_3911_: bool;
     var local_10: type_40;
     var local_11: type_40;
     var local_12: type_40;
@@ -291,211 +291,211 @@ fn function_() {
                     if _e220 {
                         let _e223 = (bitcast<u32>(bitcast<f32>(_e195)) & 2147483647u);
                         if (_e223 >= 8388608u) {
-                            phi_384_ = (bitcast<i32>((_e223 >> bitcast<u32>(23i))) - 127i);
+                            phi_391_ = (bitcast<i32>((_e223 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_384_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e223)), 32u, (_e223 == 0u))));
+                            phi_391_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e223)), 32u, (_e223 == 0u))));
                         }
-                        let _e237 = phi_384_;
-                        phi_385_ = _e237;
+                        let _e237 = phi_391_;
+                        phi_392_ = _e237;
                     } else {
-                        phi_385_ = 0i;
+                        phi_392_ = 0i;
                     }
-                    let _e239 = phi_385_;
+                    let _e239 = phi_392_;
                     let _e240 = (_e156 == _e195);
                     if _e240 {
-                        phi_395_ = true;
+                        phi_402_ = true;
                     } else {
-                        phi_395_ = (_e163 == _e195);
+                        phi_402_ = (_e163 == _e195);
                     }
-                    let _e243 = phi_395_;
+                    let _e243 = phi_402_;
                     let _e244 = select(1u, 0u, _e240);
                     if _e243 {
                         let _e245 = (_e244 + 1u);
-                        phi_405_ = _e245;
-                        phi_406_ = _e245;
-                        phi_408_ = select(true, false, (_e245 == 2u));
+                        phi_412_ = _e245;
+                        phi_413_ = _e245;
+                        phi_415_ = select(true, false, (_e245 == 2u));
                     } else {
-                        phi_405_ = u32();
-                        phi_406_ = 0u;
-                        phi_408_ = true;
-                    }
-                    let _e249 = phi_405_;
-                    let _e251 = phi_406_;
-                    let _e253 = phi_408_;
-                    if _e253 {
-                        phi_413_ = (_e251 + 1u);
-                    } else {
+                        phi_412_ = u32();
                         phi_413_ = 0u;
+                        phi_415_ = true;
                     }
-                    let _e257 = phi_413_;
+                    let _e249 = phi_412_;
+                    let _e251 = phi_413_;
+                    let _e253 = phi_415_;
+                    if _e253 {
+                        phi_420_ = (_e251 + 1u);
+                    } else {
+                        phi_420_ = 0u;
+                    }
+                    let _e257 = phi_420_;
                     let _e258 = select(_e249, _e251, _e253);
                     let _e259 = select(_e244, select(2u, _e244, _e243), _e253);
                     if (_e126 < -126i) {
-                        phi_425_ = -126i;
+                        phi_433_ = -126i;
                     } else {
-                        phi_425_ = select(_e126, 127i, (_e126 > 127i));
+                        phi_433_ = select(_e126, 127i, (_e126 > 127i));
                     }
-                    let _e264 = phi_425_;
+                    let _e264 = phi_433_;
                     let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
                     let _e275 = bitcast<f32>((bitcast<u32>(((_e126 - _e264) + 127i)) << bitcast<u32>(23i)));
                     let _e276 = -(_e239);
                     if (_e276 < -126i) {
-                        phi_445_ = -126i;
+                        phi_453_ = -126i;
                     } else {
-                        phi_445_ = select(_e276, 127i, (_e276 > 127i));
+                        phi_453_ = select(_e276, 127i, (_e276 > 127i));
                     }
-                    let _e281 = phi_445_;
+                    let _e281 = phi_453_;
                     let _e286 = bitcast<f32>((bitcast<u32>((_e281 + 127i)) << bitcast<u32>(23i)));
                     let _e292 = bitcast<f32>((bitcast<u32>(((_e276 - _e281) + 127i)) << bitcast<u32>(23i)));
                     let _e296 = global_4.member[_e144].member;
                     let _e297 = (_e258 == 0u);
                     if _e297 {
-                        phi_463_ = _e296[0];
+                        phi_471_ = _e296[0];
                     } else {
-                        phi_463_ = _e296[1];
+                        phi_471_ = _e296[1];
                     }
-                    let _e301 = phi_463_;
+                    let _e301 = phi_471_;
                     let _e302 = (_e258 == 2u);
                     if _e302 {
-                        phi_469_ = _e296[2];
+                        phi_477_ = _e296[2];
                     } else {
-                        phi_469_ = _e301;
+                        phi_477_ = _e301;
                     }
-                    let _e305 = phi_469_;
+                    let _e305 = phi_477_;
                     let _e306 = bitcast<u32>(_e305);
                     let _e308 = ((_e306 & 2139095040u) != 0u);
                     let _e322 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e306 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e306 & 2147483648u))), _e305, _e308) * _e269) * select(0.00000011920929f, 1f, _e308)) * _e275);
                     let _e323 = global_4.member[_e144].member_2;
                     if _e297 {
-                        phi_509_ = _e323[0];
+                        phi_517_ = _e323[0];
                     } else {
-                        phi_509_ = _e323[1];
+                        phi_517_ = _e323[1];
                     }
-                    let _e327 = phi_509_;
+                    let _e327 = phi_517_;
                     if _e302 {
-                        phi_515_ = _e323[2];
+                        phi_523_ = _e323[2];
                     } else {
-                        phi_515_ = _e327;
+                        phi_523_ = _e327;
                     }
-                    let _e330 = phi_515_;
+                    let _e330 = phi_523_;
                     let _e331 = bitcast<u32>(_e330);
                     let _e333 = ((_e331 & 2139095040u) != 0u);
                     let _e347 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e330, _e333) * _e286) * select(0.00000011920929f, 1f, _e333)) * _e292);
                     let _e351 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e351 {
                         let _e355 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
-                        phi_567_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
+                        phi_575_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
                     } else {
-                        phi_567_ = 0f;
+                        phi_575_ = 0f;
                     }
-                    let _e359 = phi_567_;
+                    let _e359 = phi_575_;
                     let _e360 = (_e322 + _e359);
                     let _e361 = (_e322 - _e359);
                     let _e362 = select(_e347, 0f, _e351);
                     if _e351 {
-                        phi_578_ = 38685626000000000000000000f;
+                        phi_587_ = 38685626000000000000000000f;
                     } else {
-                        phi_578_ = (1f / _e347);
+                        phi_587_ = (1f / _e347);
                     }
-                    let _e365 = phi_578_;
+                    let _e365 = phi_587_;
                     let _e366 = (_e257 == 0u);
                     if _e366 {
-                        phi_587_ = _e296[0];
+                        phi_596_ = _e296[0];
                     } else {
-                        phi_587_ = _e296[1];
+                        phi_596_ = _e296[1];
                     }
-                    let _e370 = phi_587_;
+                    let _e370 = phi_596_;
                     let _e371 = (_e257 == 2u);
                     if _e371 {
-                        phi_593_ = _e296[2];
+                        phi_602_ = _e296[2];
                     } else {
-                        phi_593_ = _e370;
+                        phi_602_ = _e370;
                     }
-                    let _e374 = phi_593_;
+                    let _e374 = phi_602_;
                     let _e375 = bitcast<u32>(_e374);
                     let _e377 = ((_e375 & 2139095040u) != 0u);
                     let _e391 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e375 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e375 & 2147483648u))), _e374, _e377) * _e269) * select(0.00000011920929f, 1f, _e377)) * _e275);
                     if _e366 {
-                        phi_633_ = _e323[0];
+                        phi_642_ = _e323[0];
                     } else {
-                        phi_633_ = _e323[1];
+                        phi_642_ = _e323[1];
                     }
-                    let _e395 = phi_633_;
+                    let _e395 = phi_642_;
                     if _e371 {
-                        phi_639_ = _e323[2];
+                        phi_648_ = _e323[2];
                     } else {
-                        phi_639_ = _e395;
+                        phi_648_ = _e395;
                     }
-                    let _e398 = phi_639_;
+                    let _e398 = phi_648_;
                     let _e399 = bitcast<u32>(_e398);
                     let _e401 = ((_e399 & 2139095040u) != 0u);
                     let _e415 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e399 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e399 & 2147483648u))), _e398, _e401) * _e286) * select(0.00000011920929f, 1f, _e401)) * _e292);
                     let _e419 = (bitcast<f32>((bitcast<u32>(_e415) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e419 {
                         let _e423 = (bitcast<f32>((bitcast<u32>(_e391) & 2147483647u)) * 0.00000011920929f);
-                        phi_691_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
+                        phi_700_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
                     } else {
-                        phi_691_ = 0f;
+                        phi_700_ = 0f;
                     }
-                    let _e427 = phi_691_;
+                    let _e427 = phi_700_;
                     let _e428 = (_e391 + _e427);
                     let _e429 = (_e391 - _e427);
                     let _e430 = select(_e415, 0f, _e419);
                     if _e419 {
-                        phi_702_ = 38685626000000000000000000f;
+                        phi_712_ = 38685626000000000000000000f;
                     } else {
-                        phi_702_ = (1f / _e415);
+                        phi_712_ = (1f / _e415);
                     }
-                    let _e433 = phi_702_;
+                    let _e433 = phi_712_;
                     let _e434 = (_e259 == 0u);
                     if _e434 {
-                        phi_711_ = _e296[0];
+                        phi_721_ = _e296[0];
                     } else {
-                        phi_711_ = _e296[1];
+                        phi_721_ = _e296[1];
                     }
-                    let _e438 = phi_711_;
+                    let _e438 = phi_721_;
                     let _e439 = (_e259 == 2u);
                     if _e439 {
-                        phi_717_ = _e296[2];
+                        phi_727_ = _e296[2];
                     } else {
-                        phi_717_ = _e438;
+                        phi_727_ = _e438;
                     }
-                    let _e442 = phi_717_;
+                    let _e442 = phi_727_;
                     let _e443 = bitcast<u32>(_e442);
                     let _e445 = ((_e443 & 2139095040u) != 0u);
                     let _e459 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e443 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e443 & 2147483648u))), _e442, _e445) * _e269) * select(0.00000011920929f, 1f, _e445)) * _e275);
                     if _e434 {
-                        phi_757_ = _e323[0];
+                        phi_767_ = _e323[0];
                     } else {
-                        phi_757_ = _e323[1];
+                        phi_767_ = _e323[1];
                     }
-                    let _e463 = phi_757_;
+                    let _e463 = phi_767_;
                     if _e439 {
-                        phi_763_ = _e323[2];
+                        phi_773_ = _e323[2];
                     } else {
-                        phi_763_ = _e463;
+                        phi_773_ = _e463;
                     }
-                    let _e466 = phi_763_;
+                    let _e466 = phi_773_;
                     let _e467 = bitcast<u32>(_e466);
                     let _e469 = ((_e467 & 2139095040u) != 0u);
                     let _e483 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e467 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e467 & 2147483648u))), _e466, _e469) * _e286) * select(0.00000011920929f, 1f, _e469)) * _e292);
                     let _e487 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e487 {
                         let _e491 = (bitcast<f32>((bitcast<u32>(_e459) & 2147483647u)) * 0.00000011920929f);
-                        phi_815_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
+                        phi_825_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
                     } else {
-                        phi_815_ = 0f;
+                        phi_825_ = 0f;
                     }
-                    let _e495 = phi_815_;
+                    let _e495 = phi_825_;
                     let _e496 = (_e459 + _e495);
                     let _e497 = (_e459 - _e495);
                     let _e498 = select(_e483, 0f, _e487);
                     if _e487 {
-                        phi_826_ = 38685626000000000000000000f;
+                        phi_837_ = 38685626000000000000000000f;
                     } else {
-                        phi_826_ = (1f / _e483);
+                        phi_837_ = (1f / _e483);
                     }
-                    let _e501 = phi_826_;
+                    let _e501 = phi_837_;
                     let _e504 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
                     let _e507 = bitcast<f32>((bitcast<u32>(_e391) & 2147483647u));
                     let _e509 = select(_e507, _e504, (_e504 > _e507));
@@ -507,55 +507,55 @@ fn function_() {
                         let _e532 = (_e525 == 0u);
                         let _e535 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e525)), 32u, _e532)) - 8i);
                         if (_e528 == 255i) {
-                            phi_881_ = 255i;
+                            phi_892_ = 255i;
                         } else {
-                            phi_881_ = (((_e528 + select(0i, 1i, (_e528 == 0i))) - _e535) + _e515);
+                            phi_892_ = (((_e528 + select(0i, 1i, (_e528 == 0i))) - _e535) + _e515);
                         }
-                        let _e543 = phi_881_;
+                        let _e543 = phi_892_;
                         let _e553 = (_e543 <= 0i);
                         if _e553 {
-                            phi_904_ = u32();
+                            phi_915_ = u32();
                         } else {
                             if _e532 {
-                                phi_903_ = u32();
+                                phi_914_ = u32();
                             } else {
-                                phi_903_ = select(((bitcast<u32>(_e543) << bitcast<u32>(23i)) | ((_e525 << bitcast<u32>(((_e535 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e543 >= 255i));
+                                phi_914_ = select(((bitcast<u32>(_e543) << bitcast<u32>(23i)) | ((_e525 << bitcast<u32>(((_e535 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e543 >= 255i));
                             }
-                            let _e557 = phi_903_;
-                            phi_904_ = _e557;
+                            let _e557 = phi_914_;
+                            phi_915_ = _e557;
                         }
-                        let _e559 = phi_904_;
+                        let _e559 = phi_915_;
                         let _e571 = ((_e216 & 8388607u) | (select(0u, 1u, ((_e216 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e574 = bitcast<i32>((_e216 >> bitcast<u32>(23i)));
                         let _e578 = (_e571 == 0u);
                         let _e581 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e571)), 32u, _e578)) - 8i);
                         if (_e574 == 255i) {
-                            phi_941_ = 255i;
+                            phi_952_ = 255i;
                         } else {
-                            phi_941_ = (((_e574 + select(0i, 1i, (_e574 == 0i))) - _e581) + _e515);
+                            phi_952_ = (((_e574 + select(0i, 1i, (_e574 == 0i))) - _e581) + _e515);
                         }
-                        let _e589 = phi_941_;
+                        let _e589 = phi_952_;
                         let _e599 = (_e589 <= 0i);
                         if _e599 {
-                            phi_964_ = u32();
+                            phi_975_ = u32();
                         } else {
                             if _e578 {
-                                phi_963_ = u32();
+                                phi_974_ = u32();
                             } else {
-                                phi_963_ = select(((bitcast<u32>(_e589) << bitcast<u32>(23i)) | ((_e571 << bitcast<u32>(((_e581 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e589 >= 255i));
+                                phi_974_ = select(((bitcast<u32>(_e589) << bitcast<u32>(23i)) | ((_e571 << bitcast<u32>(((_e581 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e589 >= 255i));
                             }
-                            let _e603 = phi_963_;
-                            phi_964_ = _e603;
+                            let _e603 = phi_974_;
+                            phi_975_ = _e603;
                         }
-                        let _e605 = phi_964_;
-                        phi_972_ = bitcast<f32>(((_e215 & 2147483648u) | select(_e605, 0u, select(_e578, true, _e599))));
-                        phi_973_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e559, 0u, select(_e532, true, _e553))));
+                        let _e605 = phi_975_;
+                        phi_983_ = bitcast<f32>(((_e215 & 2147483648u) | select(_e605, 0u, select(_e578, true, _e599))));
+                        phi_984_ = bitcast<f32>(((_e206 & 2147483648u) | select(_e559, 0u, select(_e532, true, _e553))));
                     } else {
-                        phi_972_ = 0f;
-                        phi_973_ = 1f;
+                        phi_983_ = 0f;
+                        phi_984_ = 1f;
                     }
-                    let _e611 = phi_972_;
-                    let _e613 = phi_973_;
+                    let _e611 = phi_983_;
+                    let _e613 = phi_984_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -600,198 +600,198 @@ fn function_() {
                         break;
                     }
                     let _e646 = local[_e630];
-                    phi_3645_ = false;
-                    phi_1063_ = type_40(type_33(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e611), 0u, 0u);
-                    phi_1066_ = type_51(type_29(vec4<f32>((f32(_e621) * _e138), (f32(_e627) * _e138), (f32(_e633) * _e138), 0f), vec4<f32>((f32(_e638) * _e138), (f32(_e642) * _e138), (f32(_e646) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
-                    phi_1068_ = ((3u * _e88) + 1u);
-                    phi_1070_ = (_e613 <= _e611);
-                    phi_1072_ = 0u;
+                    phi_3757_ = false;
+                    phi_1081_ = type_40(type_34(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e611), 0u, 0u);
+                    phi_1084_ = (_e613 <= _e611);
+                    phi_1086_ = ((3u * _e88) + 1u);
+                    phi_1088_ = 0u;
+                    phi_1090_ = type_51(type_29(vec4<f32>((f32(_e621) * _e138), (f32(_e627) * _e138), (f32(_e633) * _e138), 0f), vec4<f32>((f32(_e638) * _e138), (f32(_e642) * _e138), (f32(_e646) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
                     loop {
-                        let _e656 = phi_3645_;
-                        let _e658 = phi_1063_;
-                        let _e660 = phi_1066_;
-                        let _e662 = phi_1068_;
-                        let _e664 = phi_1070_;
-                        let _e666 = phi_1072_;
+                        let _e656 = phi_3757_;
+                        let _e658 = phi_1081_;
+                        let _e660 = phi_1084_;
+                        let _e662 = phi_1086_;
+                        let _e664 = phi_1088_;
+                        let _e666 = phi_1090_;
                         local_10 = _e658;
                         local_11 = _e658;
-                        if _e664 {
-                            phi_1083_ = true;
+                        if _e660 {
+                            phi_1101_ = true;
                         } else {
-                            phi_1083_ = (_e666 > 0u);
+                            phi_1101_ = (_e664 > 0u);
                         }
-                        let _e669 = phi_1083_;
+                        let _e669 = phi_1101_;
                         if _e669 {
                             let _e670 = (_e662 > 0u);
                             if _e670 {
-                                if _e664 {
-                                    phi_1169_ = _e660;
-                                    phi_1170_ = _e664;
-                                    phi_1171_ = _e666;
+                                if _e660 {
+                                    phi_1187_ = _e660;
+                                    phi_1188_ = _e664;
+                                    phi_1189_ = _e666;
                                 } else {
-                                    let _e671 = (_e666 - 1u);
+                                    let _e671 = (_e664 - 1u);
                                     let _e672 = (_e671 % 128u);
                                     let _e673 = (_e672 < 128u);
                                     if _e673 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e675 = local_7[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e677 = local_6[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e679 = local_5[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e681 = local_4[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e683 = local_3[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e685 = local_2[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e690 = local_8[_e672];
                                     if _e673 {
                                     } else {
-                                        phi_3799_ = true;
+                                        phi_3911_ = true;
                                         break;
                                     }
                                     let _e693 = local_9[_e672];
-                                    phi_1169_ = type_51(type_29(vec4<f32>(_e675, _e677, _e679, 0f), vec4<f32>(_e681, _e683, _e685, 0f)), _e690);
-                                    phi_1170_ = (_e693 <= _e658.member.member_1);
-                                    phi_1171_ = _e671;
+                                    phi_1187_ = (_e693 <= _e658.member.member_1);
+                                    phi_1188_ = _e671;
+                                    phi_1189_ = type_51(type_29(vec4<f32>(_e675, _e677, _e679, 0f), vec4<f32>(_e681, _e683, _e685, 0f)), _e690);
                                 }
-                                let _e698 = phi_1169_;
-                                let _e700 = phi_1170_;
-                                let _e702 = phi_1171_;
-                                if _e700 {
-                                    if ((_e698.member_1 & 2147483648u) != 0u) {
-                                        phi_1189_ = _e658;
-                                        phi_1192_ = type_4(0u, ((_e698.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e698 = phi_1187_;
+                                let _e700 = phi_1188_;
+                                let _e702 = phi_1189_;
+                                if _e698 {
+                                    if ((_e702.member_1 & 2147483648u) != 0u) {
+                                        phi_1207_ = _e658;
+                                        phi_1210_ = type_4(0u, ((_e702.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1177 = phi_1189_;
-                                            let _e1179 = phi_1192_;
+                                            let _e1177 = phi_1207_;
+                                            let _e1179 = phi_1210_;
                                             local_12 = _e1177;
                                             if (_e1179.member < _e1179.member_1) {
-                                                phi_1193_ = type_4((_e1179.member + 1u), _e1179.member_1);
-                                                phi_1215_ = type_4(1u, _e1179.member);
+                                                phi_1211_ = type_4((_e1179.member + 1u), _e1179.member_1);
+                                                phi_1233_ = type_4(1u, _e1179.member);
                                             } else {
-                                                phi_1193_ = _e1179;
-                                                phi_1215_ = type_4(0u, type_4().member_1);
+                                                phi_1211_ = _e1179;
+                                                phi_1233_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1192 = phi_1193_;
-                                            let _e1194 = phi_1215_;
+                                            let _e1192 = phi_1211_;
+                                            let _e1194 = phi_1233_;
                                             let _e1198 = (bitcast<i32>(_e1194.member) != 0i);
                                             if _e1198 {
                                                 let _e1204 = type_40(_e1177.member, _e1177.member_1, (_e1177.member_2 + 1u));
-                                                let _e1205 = ((_e698.member_1 & 268435455u) + _e1194.member_1);
+                                                let _e1205 = ((_e702.member_1 & 268435455u) + _e1194.member_1);
                                                 let _e1206 = (_e1205 < _e90);
                                                 if _e1206 {
                                                     if _e1206 {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1210 = global_2.member[_e1205].member_1;
-                                                    phi_1239_ = _e1210;
+                                                    phi_1257_ = _e1210;
                                                 } else {
-                                                    phi_1239_ = 4294967295u;
+                                                    phi_1257_ = 4294967295u;
                                                 }
-                                                let _e1212 = phi_1239_;
+                                                let _e1212 = phi_1257_;
                                                 if (_e1205 >= _e90) {
-                                                    phi_1328_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1206 {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     if (_e618 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1219 = global_2.member[_e1205].member[_e618];
                                                     if (_e624 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1225 = global_2.member[_e1205].member[_e624];
                                                     if (_e630 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1231 = global_2.member[_e1205].member[_e630];
                                                     let _e1233 = (3u + _e618);
                                                     if (_e1233 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1239 = global_2.member[_e1205].member[_e1233];
                                                     let _e1240 = (3u + _e624);
                                                     if (_e1240 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1246 = global_2.member[_e1205].member[_e1240];
                                                     let _e1247 = (3u + _e630);
                                                     if (_e1247 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1253 = global_2.member[_e1205].member[_e1247];
                                                     let _e1255 = (6u + _e618);
                                                     if (_e1255 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1261 = global_2.member[_e1205].member[_e1255];
                                                     let _e1262 = (6u + _e624);
                                                     if (_e1262 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1268 = global_2.member[_e1205].member[_e1262];
                                                     let _e1269 = (6u + _e630);
                                                     if (_e1269 < 9u) {
                                                     } else {
-                                                        phi_3639_ = true;
+                                                        phi_3751_ = true;
                                                         break;
                                                     }
                                                     let _e1275 = global_2.member[_e1205].member[_e1269];
-                                                    phi_1328_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1219, _e1225, _e1231), array<f32, 3>(_e1239, _e1246, _e1253), array<f32, 3>(_e1261, _e1268, _e1275));
+                                                    phi_1349_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1219, _e1225, _e1231), array<f32, 3>(_e1239, _e1246, _e1253), array<f32, 3>(_e1261, _e1268, _e1275));
                                                 }
-                                                let _e1279 = phi_1328_;
+                                                let _e1279 = phi_1349_;
                                                 let _e1288 = (_e1279[0][2] - _e459);
                                                 let _e1291 = (((_e1279[0][0] - _e322) * _e498) - (_e1288 * _e362));
                                                 let _e1294 = (((_e1279[0][1] - _e391) * _e498) - (_e1288 * _e430));
@@ -818,34 +818,34 @@ fn function_() {
                                                     let _e1350 = select(0f, _e1348, (_e1348 > 0f));
                                                     let _e1352 = ((_e1342 + _e1346) + _e1350);
                                                     if (_e1352 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2153_ = type_25();
-                                                        phi_2154_ = true;
-                                                        phi_2155_ = false;
+                                                        phi_2233_ = type_25();
+                                                        phi_2234_ = true;
+                                                        phi_2235_ = false;
                                                     } else {
                                                         let _e1355 = select(_e1304, _e1291, (_e1291 < _e1304));
                                                         if (select(_e1317, _e1355, (_e1355 < _e1317)) > 0f) {
-                                                            phi_1445_ = true;
+                                                            phi_1501_ = true;
                                                         } else {
                                                             let _e1360 = select(_e1304, _e1291, (_e1291 > _e1304));
-                                                            phi_1445_ = (select(_e1317, _e1360, (_e1360 > _e1317)) < 0f);
+                                                            phi_1501_ = (select(_e1317, _e1360, (_e1360 > _e1317)) < 0f);
                                                         }
-                                                        let _e1365 = phi_1445_;
+                                                        let _e1365 = phi_1501_;
                                                         if _e1365 {
-                                                            phi_2150_ = type_25();
-                                                            phi_2151_ = true;
-                                                            phi_2152_ = false;
+                                                            phi_2230_ = type_25();
+                                                            phi_2231_ = true;
+                                                            phi_2232_ = false;
                                                         } else {
                                                             let _e1367 = select(_e1307, _e1294, (_e1294 < _e1307));
                                                             if (select(_e1320, _e1367, (_e1367 < _e1320)) > 0f) {
-                                                                phi_1474_ = true;
+                                                                phi_1530_ = true;
                                                             } else {
                                                                 let _e1372 = select(_e1307, _e1294, (_e1294 > _e1307));
-                                                                phi_1474_ = (select(_e1320, _e1372, (_e1372 > _e1320)) < 0f);
+                                                                phi_1530_ = (select(_e1320, _e1372, (_e1372 > _e1320)) < 0f);
                                                             }
-                                                            let _e1377 = phi_1474_;
+                                                            let _e1377 = phi_1530_;
                                                             if _e1377 {
-                                                                phi_2148_ = type_25();
-                                                                phi_2149_ = false;
+                                                                phi_2228_ = type_25();
+                                                                phi_2229_ = false;
                                                             } else {
                                                                 let _e1379 = select(_e1279[1][0], _e1279[0][0], (_e1279[0][0] < _e1279[1][0]));
                                                                 let _e1383 = select(_e1279[1][0], _e1279[0][0], (_e1279[0][0] > _e1279[1][0]));
@@ -872,12 +872,12 @@ fn function_() {
                                                                 let _e1434 = -(_e1415);
                                                                 let _e1440 = select(_e613, _e1425, (_e1425 > _e613));
                                                                 if (_e1440 > (_e1433 + (select(_e1434, _e1417, (_e1417 > _e1434)) * 0.0000019073523f))) {
-                                                                    phi_2143_ = type_25();
-                                                                    phi_2144_ = true;
+                                                                    phi_2223_ = type_25();
+                                                                    phi_2224_ = true;
                                                                 } else {
                                                                     let _e1442 = (_e1440 > _e1177.member.member_1);
                                                                     if _e1442 {
-                                                                        phi_2142_ = type_25();
+                                                                        phi_2222_ = type_25();
                                                                     } else {
                                                                         let _e1443 = vec3<f32>(_e1279[0][0], _e1279[0][1], _e1279[0][2]);
                                                                         let _e1444 = vec3<f32>(_e1279[1][0], _e1279[1][1], _e1279[1][2]);
@@ -912,49 +912,49 @@ fn function_() {
                                                                         let _e1498 = select(_e1483, _e1470, (_e1470 > _e1483));
                                                                         let _e1500 = select(_e1496, _e1498, (_e1498 > _e1496));
                                                                         if (_e1470 == _e1500) {
-                                                                            phi_1875_ = _e1307;
-                                                                            phi_1876_ = _e1304;
-                                                                            phi_1877_ = _e1294;
-                                                                            phi_1878_ = _e1291;
-                                                                            phi_1879_ = _e1443;
-                                                                            phi_1880_ = _e1457;
-                                                                            phi_1881_ = _e1453;
-                                                                            phi_1882_ = _e1449;
+                                                                            phi_1949_ = _e1307;
+                                                                            phi_1950_ = _e1304;
+                                                                            phi_1951_ = _e1294;
+                                                                            phi_1952_ = _e1291;
+                                                                            phi_1953_ = _e1443;
+                                                                            phi_1954_ = _e1457;
+                                                                            phi_1955_ = _e1453;
+                                                                            phi_1956_ = _e1449;
                                                                         } else {
                                                                             let _e1502 = (_e1483 == _e1500);
                                                                             let _e1507 = vec3(_e1502);
-                                                                            phi_1875_ = select(_e1294, _e1320, _e1502);
-                                                                            phi_1876_ = select(_e1291, _e1317, _e1502);
-                                                                            phi_1877_ = select(_e1320, _e1307, _e1502);
-                                                                            phi_1878_ = select(_e1317, _e1304, _e1502);
-                                                                            phi_1879_ = select(_e1445, _e1444, _e1507);
-                                                                            phi_1880_ = select(_e1453, _e1449, _e1507);
-                                                                            phi_1881_ = select(_e1449, _e1457, _e1507);
-                                                                            phi_1882_ = select(_e1457, _e1453, _e1507);
+                                                                            phi_1949_ = select(_e1294, _e1320, _e1502);
+                                                                            phi_1950_ = select(_e1291, _e1317, _e1502);
+                                                                            phi_1951_ = select(_e1320, _e1307, _e1502);
+                                                                            phi_1952_ = select(_e1317, _e1304, _e1502);
+                                                                            phi_1953_ = select(_e1445, _e1444, _e1507);
+                                                                            phi_1954_ = select(_e1453, _e1449, _e1507);
+                                                                            phi_1955_ = select(_e1449, _e1457, _e1507);
+                                                                            phi_1956_ = select(_e1457, _e1453, _e1507);
                                                                         }
-                                                                        let _e1513 = phi_1875_;
-                                                                        let _e1515 = phi_1876_;
-                                                                        let _e1517 = phi_1877_;
-                                                                        let _e1519 = phi_1878_;
-                                                                        let _e1521 = phi_1879_;
-                                                                        let _e1523 = phi_1880_;
-                                                                        let _e1525 = phi_1881_;
-                                                                        let _e1527 = phi_1882_;
+                                                                        let _e1513 = phi_1949_;
+                                                                        let _e1515 = phi_1950_;
+                                                                        let _e1517 = phi_1951_;
+                                                                        let _e1519 = phi_1952_;
+                                                                        let _e1521 = phi_1953_;
+                                                                        let _e1523 = phi_1954_;
+                                                                        let _e1525 = phi_1955_;
+                                                                        let _e1527 = phi_1956_;
                                                                         let _e1534 = ((_e1525.y * _e1523.z) - (_e1523.y * _e1525.z));
                                                                         let _e1539 = ((_e1525.z * _e1523.x) - (_e1523.z * _e1525.x));
                                                                         let _e1542 = ((_e1525.x * _e1523.y) - (_e1523.x * _e1525.y));
                                                                         if (_e1342 >= _e1346) {
-                                                                            phi_1913_ = select(true, false, (_e1342 >= _e1350));
+                                                                            phi_1993_ = select(true, false, (_e1342 >= _e1350));
                                                                         } else {
-                                                                            phi_1913_ = true;
+                                                                            phi_1993_ = true;
                                                                         }
-                                                                        let _e1547 = phi_1913_;
+                                                                        let _e1547 = phi_1993_;
                                                                         if _e1547 {
-                                                                            phi_1922_ = select(_e1445, _e1444, vec3((_e1346 >= _e1350)));
+                                                                            phi_2002_ = select(_e1445, _e1444, vec3((_e1346 >= _e1350)));
                                                                         } else {
-                                                                            phi_1922_ = _e1443;
+                                                                            phi_2002_ = _e1443;
                                                                         }
-                                                                        let _e1552 = phi_1922_;
+                                                                        let _e1552 = phi_2002_;
                                                                         let _e1563 = (((_e1534 * (_e1552.x - _e322)) + (_e1539 * (_e1552.y - _e391))) + (_e1542 * (_e1552.z - _e459)));
                                                                         let _e1568 = (((_e1534 * _e362) + (_e1539 * _e430)) + (_e1542 * _e498));
                                                                         let _e1569 = (_e1515 - _e1519);
@@ -986,301 +986,301 @@ fn function_() {
                                                                             let _e1666 = bitcast<f32>((bitcast<u32>(_e1523.z) & 2147483647u));
                                                                             let _e1670 = (bitcast<f32>((bitcast<u32>(_e1568) & 2147483647u)) > ((0.0000038146973f * select(_e1652, _e1649, (_e1649 > _e1652))) * select(_e1666, _e1663, (_e1663 > _e1666))));
                                                                             if _e1670 {
-                                                                                phi_2087_ = (_e1563 / _e1568);
+                                                                                phi_2167_ = (_e1563 / _e1568);
                                                                             } else {
-                                                                                phi_2087_ = f32();
+                                                                                phi_2167_ = f32();
                                                                             }
-                                                                            let _e1673 = phi_2087_;
-                                                                            phi_2089_ = _e1673;
-                                                                            phi_2090_ = select(true, false, _e1670);
+                                                                            let _e1673 = phi_2167_;
+                                                                            phi_2169_ = _e1673;
+                                                                            phi_2170_ = select(true, false, _e1670);
                                                                         } else {
-                                                                            phi_2089_ = f32();
-                                                                            phi_2090_ = true;
+                                                                            phi_2169_ = f32();
+                                                                            phi_2170_ = true;
                                                                         }
-                                                                        let _e1676 = phi_2089_;
-                                                                        let _e1678 = phi_2090_;
+                                                                        let _e1676 = phi_2169_;
+                                                                        let _e1678 = phi_2170_;
                                                                         if _e1678 {
                                                                             let _e1686 = (((_e1534 * (_e1595 - (_e362 * _e1598))) + (_e1539 * (_e1596 - (_e430 * _e1598)))) / _e1568);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1686) & 2147483647u)) <= _e1500) {
-                                                                                phi_2110_ = (_e1598 + _e1686);
+                                                                                phi_2190_ = (_e1598 + _e1686);
                                                                             } else {
-                                                                                phi_2110_ = _e1598;
+                                                                                phi_2190_ = _e1598;
                                                                             }
-                                                                            let _e1693 = phi_2110_;
-                                                                            phi_2111_ = _e1693;
+                                                                            let _e1693 = phi_2190_;
+                                                                            phi_2191_ = _e1693;
                                                                         } else {
-                                                                            phi_2111_ = _e1676;
+                                                                            phi_2191_ = _e1676;
                                                                         }
-                                                                        let _e1695 = phi_2111_;
+                                                                        let _e1695 = phi_2191_;
                                                                         let _e1697 = select(_e1433, _e1695, (_e1695 < _e1433));
                                                                         let _e1699 = select(_e1425, _e1697, (_e1697 > _e1425));
                                                                         if (_e1699 >= _e613) {
                                                                             let _e1701 = (_e1699 <= _e1177.member.member_1);
                                                                             if _e1701 {
                                                                                 let _e1702 = (1f / _e1352);
-                                                                                phi_2134_ = type_25(_e1699, (_e1346 * _e1702), (_e1350 * _e1702), _e1212);
+                                                                                phi_2214_ = type_25(_e1699, (_e1346 * _e1702), (_e1350 * _e1702), _e1212);
                                                                             } else {
-                                                                                phi_2134_ = type_25();
+                                                                                phi_2214_ = type_25();
                                                                             }
-                                                                            let _e1707 = phi_2134_;
-                                                                            phi_2136_ = _e1707;
-                                                                            phi_2137_ = select(true, false, _e1701);
+                                                                            let _e1707 = phi_2214_;
+                                                                            phi_2216_ = _e1707;
+                                                                            phi_2217_ = select(true, false, _e1701);
                                                                         } else {
-                                                                            phi_2136_ = type_25();
-                                                                            phi_2137_ = true;
+                                                                            phi_2216_ = type_25();
+                                                                            phi_2217_ = true;
                                                                         }
-                                                                        let _e1710 = phi_2136_;
-                                                                        let _e1712 = phi_2137_;
+                                                                        let _e1710 = phi_2216_;
+                                                                        let _e1712 = phi_2217_;
                                                                         if _e1712 {
-                                                                            phi_2141_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2221_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2141_ = _e1710;
+                                                                            phi_2221_ = _e1710;
                                                                         }
-                                                                        let _e1714 = phi_2141_;
-                                                                        phi_2142_ = _e1714;
+                                                                        let _e1714 = phi_2221_;
+                                                                        phi_2222_ = _e1714;
                                                                     }
-                                                                    let _e1716 = phi_2142_;
-                                                                    phi_2143_ = _e1716;
-                                                                    phi_2144_ = _e1442;
+                                                                    let _e1716 = phi_2222_;
+                                                                    phi_2223_ = _e1716;
+                                                                    phi_2224_ = _e1442;
                                                                 }
-                                                                let _e1718 = phi_2143_;
-                                                                let _e1720 = phi_2144_;
-                                                                phi_2148_ = _e1718;
-                                                                phi_2149_ = _e1720;
+                                                                let _e1718 = phi_2223_;
+                                                                let _e1720 = phi_2224_;
+                                                                phi_2228_ = _e1718;
+                                                                phi_2229_ = _e1720;
                                                             }
-                                                            let _e1722 = phi_2148_;
-                                                            let _e1724 = phi_2149_;
-                                                            phi_2150_ = _e1722;
-                                                            phi_2151_ = _e1377;
-                                                            phi_2152_ = _e1724;
+                                                            let _e1722 = phi_2228_;
+                                                            let _e1724 = phi_2229_;
+                                                            phi_2230_ = _e1722;
+                                                            phi_2231_ = _e1377;
+                                                            phi_2232_ = _e1724;
                                                         }
-                                                        let _e1726 = phi_2150_;
-                                                        let _e1728 = phi_2151_;
-                                                        let _e1730 = phi_2152_;
-                                                        phi_2153_ = _e1726;
-                                                        phi_2154_ = _e1728;
-                                                        phi_2155_ = _e1730;
+                                                        let _e1726 = phi_2230_;
+                                                        let _e1728 = phi_2231_;
+                                                        let _e1730 = phi_2232_;
+                                                        phi_2233_ = _e1726;
+                                                        phi_2234_ = _e1728;
+                                                        phi_2235_ = _e1730;
                                                     }
-                                                    let _e1732 = phi_2153_;
-                                                    let _e1734 = phi_2154_;
-                                                    let _e1736 = phi_2155_;
-                                                    phi_2163_ = _e1732;
-                                                    phi_2164_ = select(_e1736, true, _e1734);
+                                                    let _e1732 = phi_2233_;
+                                                    let _e1734 = phi_2234_;
+                                                    let _e1736 = phi_2235_;
+                                                    phi_2243_ = _e1732;
+                                                    phi_2244_ = select(_e1736, true, _e1734);
                                                 } else {
-                                                    phi_2163_ = type_25();
-                                                    phi_2164_ = true;
+                                                    phi_2243_ = type_25();
+                                                    phi_2244_ = true;
                                                 }
-                                                let _e1739 = phi_2163_;
-                                                let _e1741 = phi_2164_;
+                                                let _e1739 = phi_2243_;
+                                                let _e1741 = phi_2244_;
                                                 if _e1741 {
-                                                    phi_2168_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2248_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2168_ = _e1739;
+                                                    phi_2248_ = _e1739;
                                                 }
-                                                let _e1743 = phi_2168_;
+                                                let _e1743 = phi_2248_;
                                                 if (_e1743.member_3 != 4294967295u) {
                                                     if (_e1212 != 4294967295u) {
                                                         if (_e1743.member < _e1177.member.member.member) {
-                                                            phi_2194_ = true;
+                                                            phi_2274_ = true;
                                                         } else {
                                                             if (_e1743.member == _e1177.member.member.member) {
-                                                                phi_2193_ = (_e1743.member_3 < _e1177.member.member.member_3);
+                                                                phi_2273_ = (_e1743.member_3 < _e1177.member.member.member_3);
                                                             } else {
-                                                                phi_2193_ = false;
+                                                                phi_2273_ = false;
                                                             }
-                                                            let _e1758 = phi_2193_;
-                                                            phi_2194_ = _e1758;
+                                                            let _e1758 = phi_2273_;
+                                                            phi_2274_ = _e1758;
                                                         }
-                                                        let _e1760 = phi_2194_;
+                                                        let _e1760 = phi_2274_;
                                                         if _e1760 {
-                                                            phi_2201_ = type_40(type_33(_e1743, _e1743.member), _e1204.member_1, _e1204.member_2);
+                                                            phi_2281_ = type_40(type_34(_e1743, _e1743.member), _e1204.member_1, _e1204.member_2);
                                                         } else {
-                                                            phi_2201_ = _e1204;
+                                                            phi_2281_ = _e1204;
                                                         }
-                                                        let _e1767 = phi_2201_;
-                                                        phi_2202_ = _e1767;
+                                                        let _e1767 = phi_2281_;
+                                                        phi_2282_ = _e1767;
                                                     } else {
-                                                        phi_2202_ = _e1204;
+                                                        phi_2282_ = _e1204;
                                                     }
-                                                    let _e1769 = phi_2202_;
-                                                    phi_2203_ = _e1769;
+                                                    let _e1769 = phi_2282_;
+                                                    phi_2283_ = _e1769;
                                                 } else {
-                                                    phi_2203_ = _e1204;
+                                                    phi_2283_ = _e1204;
                                                 }
-                                                let _e1771 = phi_2203_;
-                                                phi_1190_ = _e1771;
+                                                let _e1771 = phi_2283_;
+                                                phi_1208_ = _e1771;
                                             } else {
-                                                phi_1190_ = type_40();
+                                                phi_1208_ = type_40();
                                             }
-                                            let _e1773 = phi_1190_;
+                                            let _e1773 = phi_1208_;
                                             continue;
                                             continuing {
-                                                phi_1189_ = _e1773;
-                                                phi_1192_ = _e1192;
-                                                phi_3639_ = _e656;
+                                                phi_1207_ = _e1773;
+                                                phi_1210_ = _e1192;
+                                                phi_3751_ = _e656;
                                                 break if !(_e1198);
                                             }
                                         }
-                                        let _e1776 = phi_3639_;
-                                        phi_3799_ = _e1776;
+                                        let _e1776 = phi_3751_;
+                                        phi_3911_ = _e1776;
                                         if _e1776 {
                                             break;
                                         }
-                                        phi_3803_ = _e1776;
+                                        phi_3915_ = _e1776;
                                         let _e1954 = local_12;
-                                        phi_3411_ = _e1954;
-                                        phi_3412_ = _e698;
-                                        phi_3413_ = false;
-                                        phi_3414_ = _e702;
+                                        phi_3523_ = _e1954;
+                                        phi_3524_ = false;
+                                        phi_3525_ = _e700;
+                                        phi_3526_ = _e702;
                                     } else {
-                                        if (_e698.member_1 >= _e88) {
-                                            phi_2967_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e702.member_1 >= _e88) {
+                                            phi_3054_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e698.member_1 < _e88) {
+                                            if (_e702.member_1 < _e88) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e719 = (_e258 * 2u);
-                                            let _e721 = ((1u + _e719) % 7u);
-                                            if (_e721 < 7u) {
+                                            let _e713 = (_e258 * 2u);
+                                            let _e715 = ((1u + _e713) % 7u);
+                                            if (_e715 < 7u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e726 = global_5.member[_e698.member_1][_e721];
-                                            let _e728 = ((_e719 + 2u) % 7u);
-                                            if (_e728 < 7u) {
+                                            let _e720 = global_5.member[_e702.member_1][_e715];
+                                            let _e722 = ((_e713 + 2u) % 7u);
+                                            if (_e722 < 7u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e733 = global_5.member[_e698.member_1][_e728];
-                                            let _e734 = (_e257 * 2u);
-                                            let _e736 = ((1u + _e734) % 7u);
-                                            if (_e736 < 7u) {
+                                            let _e727 = global_5.member[_e702.member_1][_e722];
+                                            let _e728 = (_e257 * 2u);
+                                            let _e730 = ((1u + _e728) % 7u);
+                                            if (_e730 < 7u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e741 = global_5.member[_e698.member_1][_e736];
-                                            let _e743 = ((_e734 + 2u) % 7u);
-                                            if (_e743 < 7u) {
+                                            let _e735 = global_5.member[_e702.member_1][_e730];
+                                            let _e737 = ((_e728 + 2u) % 7u);
+                                            if (_e737 < 7u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e748 = global_5.member[_e698.member_1][_e743];
-                                            let _e749 = (_e259 * 2u);
-                                            let _e751 = ((1u + _e749) % 7u);
-                                            if (_e751 < 7u) {
+                                            let _e742 = global_5.member[_e702.member_1][_e737];
+                                            let _e743 = (_e259 * 2u);
+                                            let _e745 = ((1u + _e743) % 7u);
+                                            if (_e745 < 7u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e756 = global_5.member[_e698.member_1][_e751];
-                                            let _e758 = ((_e749 + 2u) % 7u);
-                                            if (_e758 < 7u) {
+                                            let _e750 = global_5.member[_e702.member_1][_e745];
+                                            let _e752 = ((_e743 + 2u) % 7u);
+                                            if (_e752 < 7u) {
                                             } else {
-                                                phi_3799_ = true;
+                                                phi_3911_ = true;
                                                 break;
                                             }
-                                            let _e763 = global_5.member[_e698.member_1][_e758];
-                                            let _e786 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.x - _e698.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e787 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.y - _e698.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e788 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.z - _e698.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e790 = select(_e138, _e786, (_e786 > _e138));
-                                            let _e792 = select(_e138, _e787, (_e787 > _e138));
-                                            let _e794 = select(_e138, _e788, (_e788 > _e138));
-                                            let _e825 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e726 & 2097151u))) - 8388608f) * _e790));
-                                            let _e830 = (bitcast<i32>((_e726 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e833 = bitcast<f32>((_e825 & bitcast<u32>(_e830)));
-                                            let _e834 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e741 & 2097151u))) - 8388608f) * _e792));
-                                            let _e839 = (bitcast<i32>((_e741 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e842 = bitcast<f32>((_e834 & bitcast<u32>(_e839)));
-                                            let _e843 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e756 & 2097151u))) - 8388608f) * _e794));
-                                            let _e848 = (bitcast<i32>((_e756 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e851 = bitcast<f32>((_e843 & bitcast<u32>(_e848)));
-                                            let _e855 = bitcast<f32>((_e825 & bitcast<u32>(~(_e830))));
-                                            let _e859 = bitcast<f32>((_e834 & bitcast<u32>(~(_e839))));
-                                            let _e863 = bitcast<f32>((_e843 & bitcast<u32>(~(_e848))));
-                                            let _e864 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e790));
-                                            let _e869 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e872 = bitcast<f32>((_e864 & bitcast<u32>(_e869)));
-                                            let _e873 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 2097151u))) - 8388608f) * _e792));
-                                            let _e878 = (bitcast<i32>((_e748 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e881 = bitcast<f32>((_e873 & bitcast<u32>(_e878)));
-                                            let _e882 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e763 & 2097151u))) - 8388608f) * _e794));
-                                            let _e887 = (bitcast<i32>((_e763 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e890 = bitcast<f32>((_e882 & bitcast<u32>(_e887)));
-                                            let _e894 = bitcast<f32>((_e864 & bitcast<u32>(~(_e869))));
-                                            let _e898 = bitcast<f32>((_e873 & bitcast<u32>(~(_e878))));
-                                            let _e902 = bitcast<f32>((_e882 & bitcast<u32>(~(_e887))));
-                                            let _e932 = global_5.member[_e698.member_1][0u];
-                                            let _e936 = global_5.member[_e698.member_1][2u];
-                                            let _e940 = global_5.member[_e698.member_1][4u];
-                                            let _e944 = global_5.member[_e698.member_1][6u];
-                                            let _e956 = (((_e936 >> bitcast<u32>(22i)) | ((_e940 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e944 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e957 = (_e932 & 268435455u);
-                                            let _e958 = (_e956 & 268435455u);
-                                            let _e961 = ((_e932 >> bitcast<u32>(28u)) & 7u);
-                                            let _e969 = ((_e932 >> bitcast<u32>(31i)) | (((_e956 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e970 = (_e961 != 0u);
-                                            if (_e961 == 0u) {
-                                                phi_2929_ = _e957;
+                                            let _e757 = global_5.member[_e702.member_1][_e752];
+                                            let _e780 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e781 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e782 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e784 = select(_e138, _e780, (_e780 > _e138));
+                                            let _e786 = select(_e138, _e781, (_e781 > _e138));
+                                            let _e788 = select(_e138, _e782, (_e782 > _e138));
+                                            let _e819 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e720 & 2097151u))) - 8388608f) * _e784));
+                                            let _e824 = (bitcast<i32>((_e720 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e827 = bitcast<f32>((_e819 & bitcast<u32>(_e824)));
+                                            let _e828 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e735 & 2097151u))) - 8388608f) * _e786));
+                                            let _e833 = (bitcast<i32>((_e735 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e836 = bitcast<f32>((_e828 & bitcast<u32>(_e833)));
+                                            let _e837 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e750 & 2097151u))) - 8388608f) * _e788));
+                                            let _e842 = (bitcast<i32>((_e750 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e845 = bitcast<f32>((_e837 & bitcast<u32>(_e842)));
+                                            let _e849 = bitcast<f32>((_e819 & bitcast<u32>(~(_e824))));
+                                            let _e853 = bitcast<f32>((_e828 & bitcast<u32>(~(_e833))));
+                                            let _e857 = bitcast<f32>((_e837 & bitcast<u32>(~(_e842))));
+                                            let _e858 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 2097151u))) - 8388608f) * _e784));
+                                            let _e863 = (bitcast<i32>((_e727 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e866 = bitcast<f32>((_e858 & bitcast<u32>(_e863)));
+                                            let _e867 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 2097151u))) - 8388608f) * _e786));
+                                            let _e872 = (bitcast<i32>((_e742 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e875 = bitcast<f32>((_e867 & bitcast<u32>(_e872)));
+                                            let _e876 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e757 & 2097151u))) - 8388608f) * _e788));
+                                            let _e881 = (bitcast<i32>((_e757 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e884 = bitcast<f32>((_e876 & bitcast<u32>(_e881)));
+                                            let _e888 = bitcast<f32>((_e858 & bitcast<u32>(~(_e863))));
+                                            let _e892 = bitcast<f32>((_e867 & bitcast<u32>(~(_e872))));
+                                            let _e896 = bitcast<f32>((_e876 & bitcast<u32>(~(_e881))));
+                                            let _e926 = global_5.member[_e702.member_1][0u];
+                                            let _e930 = global_5.member[_e702.member_1][2u];
+                                            let _e934 = global_5.member[_e702.member_1][4u];
+                                            let _e938 = global_5.member[_e702.member_1][6u];
+                                            let _e950 = (((_e930 >> bitcast<u32>(22i)) | ((_e934 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e938 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e951 = (_e926 & 268435455u);
+                                            let _e952 = (_e950 & 268435455u);
+                                            let _e955 = ((_e926 >> bitcast<u32>(28u)) & 7u);
+                                            let _e963 = ((_e926 >> bitcast<u32>(31i)) | (((_e950 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e964 = (_e955 != 0u);
+                                            if (_e955 == 0u) {
+                                                phi_3016_ = _e951;
                                             } else {
-                                                if (_e961 == 7u) {
-                                                    phi_2928_ = 2147483648u;
+                                                if (_e955 == 7u) {
+                                                    phi_3015_ = 2147483648u;
                                                 } else {
-                                                    phi_2928_ = ((2147483648u | (_e961 << bitcast<u32>(28u))) | (_e958 & 268435455u));
+                                                    phi_3015_ = ((2147483648u | (_e955 << bitcast<u32>(28u))) | (_e952 & 268435455u));
                                                 }
-                                                let _e979 = phi_2928_;
-                                                phi_2929_ = _e979;
+                                                let _e973 = phi_3015_;
+                                                phi_3016_ = _e973;
                                             }
-                                            let _e981 = phi_2929_;
-                                            if _e970 {
-                                                let _e982 = (_e961 != 7u);
-                                                if _e982 {
-                                                    phi_2939_ = (_e958 + _e961);
+                                            let _e975 = phi_3016_;
+                                            if _e964 {
+                                                let _e976 = (_e955 != 7u);
+                                                if _e976 {
+                                                    phi_3026_ = (_e952 + _e955);
                                                 } else {
-                                                    phi_2939_ = u32();
+                                                    phi_3026_ = u32();
                                                 }
-                                                let _e985 = phi_2939_;
-                                                phi_2941_ = _e985;
-                                                phi_2942_ = select(true, false, _e982);
+                                                let _e979 = phi_3026_;
+                                                phi_3028_ = _e979;
+                                                phi_3029_ = select(true, false, _e976);
                                             } else {
-                                                phi_2941_ = u32();
-                                                phi_2942_ = true;
+                                                phi_3028_ = u32();
+                                                phi_3029_ = true;
                                             }
-                                            let _e988 = phi_2941_;
-                                            let _e990 = phi_2942_;
-                                            if (_e969 == 0u) {
-                                                phi_2963_ = (_e957 + select(0u, 1u, !(_e970)));
+                                            let _e982 = phi_3028_;
+                                            let _e984 = phi_3029_;
+                                            if (_e963 == 0u) {
+                                                phi_3050_ = (_e951 + select(0u, 1u, !(_e964)));
                                             } else {
-                                                if (_e969 == 7u) {
-                                                    phi_2962_ = 2147483648u;
+                                                if (_e963 == 7u) {
+                                                    phi_3049_ = 2147483648u;
                                                 } else {
-                                                    phi_2962_ = ((2147483648u | (_e969 << bitcast<u32>(28u))) | (select(_e988, _e958, _e990) & 268435455u));
+                                                    phi_3049_ = ((2147483648u | (_e963 << bitcast<u32>(28u))) | (select(_e982, _e952, _e984) & 268435455u));
                                                 }
-                                                let _e1003 = phi_2962_;
-                                                phi_2963_ = _e1003;
+                                                let _e997 = phi_3049_;
+                                                phi_3050_ = _e997;
                                             }
-                                            let _e1005 = phi_2963_;
-                                            phi_2967_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e698.member.member.x + _e833), (_e698.member.member.x + _e855), (_e698.member.member_1.x - _e872), (_e698.member.member_1.x - _e894)), vec4<f32>((_e698.member.member.y + _e842), (_e698.member.member.y + _e859), (_e698.member.member_1.y - _e881), (_e698.member.member_1.y - _e898)), vec4<f32>((_e698.member.member.z + _e851), (_e698.member.member.z + _e863), (_e698.member.member_1.z - _e890), (_e698.member.member_1.z - _e902))), type_51(type_29((_e698.member.member + vec4<f32>(_e833, _e842, _e851, 0f)), (_e698.member.member_1 - vec4<f32>(_e872, _e881, _e890, 0f))), _e981), type_51(type_29((_e698.member.member + vec4<f32>(_e855, _e859, _e863, 0f)), (_e698.member.member_1 - vec4<f32>(_e894, _e898, _e902, 0f))), _e1005));
+                                            let _e999 = phi_3050_;
+                                            phi_3054_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e827), (_e702.member.member.x + _e849), (_e702.member.member_1.x - _e866), (_e702.member.member_1.x - _e888)), vec4<f32>((_e702.member.member.y + _e836), (_e702.member.member.y + _e853), (_e702.member.member_1.y - _e875), (_e702.member.member_1.y - _e892)), vec4<f32>((_e702.member.member.z + _e845), (_e702.member.member.z + _e857), (_e702.member.member_1.z - _e884), (_e702.member.member_1.z - _e896))), type_51(type_29((_e702.member.member + vec4<f32>(_e827, _e836, _e845, 0f)), (_e702.member.member_1 - vec4<f32>(_e866, _e875, _e884, 0f))), _e975), type_51(type_29((_e702.member.member + vec4<f32>(_e849, _e853, _e857, 0f)), (_e702.member.member_1 - vec4<f32>(_e888, _e892, _e896, 0f))), _e999));
                                         }
-                                        let _e1010 = phi_2967_;
-                                        let _e1023 = ((_e1010.member[0].x - _e360) * _e365);
-                                        let _e1024 = ((_e1010.member[0].y - _e360) * _e365);
-                                        let _e1025 = ((_e1010.member[0].z - _e361) * _e365);
-                                        let _e1026 = ((_e1010.member[0].w - _e361) * _e365);
-                                        let _e1036 = ((_e1010.member[1].x - _e428) * _e433);
-                                        let _e1037 = ((_e1010.member[1].y - _e428) * _e433);
-                                        let _e1038 = ((_e1010.member[1].z - _e429) * _e433);
-                                        let _e1039 = ((_e1010.member[1].w - _e429) * _e433);
-                                        let _e1049 = ((_e1010.member[2].x - _e496) * _e501);
-                                        let _e1050 = ((_e1010.member[2].y - _e496) * _e501);
-                                        let _e1051 = ((_e1010.member[2].z - _e497) * _e501);
-                                        let _e1052 = ((_e1010.member[2].w - _e497) * _e501);
+                                        let _e1004 = phi_3054_;
+                                        let _e1023 = ((_e1004.member[0].x - _e360) * _e365);
+                                        let _e1024 = ((_e1004.member[0].y - _e360) * _e365);
+                                        let _e1025 = ((_e1004.member[0].z - _e361) * _e365);
+                                        let _e1026 = ((_e1004.member[0].w - _e361) * _e365);
+                                        let _e1036 = ((_e1004.member[1].x - _e428) * _e433);
+                                        let _e1037 = ((_e1004.member[1].y - _e428) * _e433);
+                                        let _e1038 = ((_e1004.member[1].z - _e429) * _e433);
+                                        let _e1039 = ((_e1004.member[1].w - _e429) * _e433);
+                                        let _e1049 = ((_e1004.member[2].x - _e496) * _e501);
+                                        let _e1050 = ((_e1004.member[2].y - _e496) * _e501);
+                                        let _e1051 = ((_e1004.member[2].z - _e497) * _e501);
+                                        let _e1052 = ((_e1004.member[2].w - _e497) * _e501);
                                         let _e1054 = select(_e1051, _e1049, (_e1049 < _e1051));
                                         let _e1056 = select(_e1052, _e1050, (_e1050 < _e1052));
                                         let _e1058 = select(_e1051, _e1049, (_e1049 > _e1051));
@@ -1311,188 +1311,188 @@ fn function_() {
                                         if _e1111 {
                                             if _e1112 {
                                                 if _e1113 {
-                                                    phi_3311_ = _e1010.member_2;
+                                                    phi_3419_ = _e1004.member_2;
                                                 } else {
-                                                    phi_3311_ = _e1010.member_1;
+                                                    phi_3419_ = _e1004.member_1;
                                                 }
-                                                let _e1117 = phi_3311_;
-                                                let _e1139 = (_e702 % 128u);
+                                                let _e1117 = phi_3419_;
+                                                let _e1139 = (_e700 % 128u);
                                                 let _e1140 = (_e1139 < 128u);
                                                 if _e1140 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_8[_e1139] = _e1117.member_1;
                                                 if _e1140 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_7[_e1139] = _e1117.member.member.x;
                                                 if _e1140 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1139] = _e1117.member.member.y;
                                                 if _e1140 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1139] = _e1117.member.member.z;
                                                 if _e1140 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1139] = _e1117.member.member_1.x;
                                                 if _e1140 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1139] = _e1117.member.member_1.y;
                                                 if _e1140 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1139] = _e1117.member.member_1.z;
                                                 if _e1140 {
                                                 } else {
-                                                    phi_3799_ = true;
+                                                    phi_3911_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1139] = select(_e1106, _e1104, (_e1104 > _e1106));
+                                                local_9[_e1139] = select(_e1106, _e1104, !(_e1113));
                                                 if _e1113 {
-                                                    phi_3388_ = _e1010.member_1;
+                                                    phi_3496_ = _e1004.member_1;
                                                 } else {
-                                                    phi_3388_ = _e1010.member_2;
+                                                    phi_3496_ = _e1004.member_2;
                                                 }
-                                                let _e1153 = phi_3388_;
-                                                phi_3389_ = _e1153;
-                                                phi_3390_ = (_e702 + 1u);
+                                                let _e1153 = phi_3496_;
+                                                phi_3497_ = (_e700 + 1u);
+                                                phi_3498_ = _e1153;
                                             } else {
-                                                phi_3389_ = type_51();
-                                                phi_3390_ = u32();
+                                                phi_3497_ = u32();
+                                                phi_3498_ = type_51();
                                             }
-                                            let _e1155 = phi_3389_;
-                                            let _e1157 = phi_3390_;
-                                            phi_3392_ = _e1155;
-                                            phi_3393_ = _e1157;
-                                            phi_3394_ = select(true, false, _e1112);
+                                            let _e1155 = phi_3497_;
+                                            let _e1157 = phi_3498_;
+                                            phi_3500_ = _e1155;
+                                            phi_3501_ = _e1157;
+                                            phi_3502_ = select(true, false, _e1112);
                                         } else {
-                                            phi_3392_ = type_51();
-                                            phi_3393_ = u32();
-                                            phi_3394_ = true;
+                                            phi_3500_ = u32();
+                                            phi_3501_ = type_51();
+                                            phi_3502_ = true;
                                         }
-                                        let _e1160 = phi_3392_;
-                                        let _e1162 = phi_3393_;
-                                        let _e1164 = phi_3394_;
+                                        let _e1160 = phi_3500_;
+                                        let _e1162 = phi_3501_;
+                                        let _e1164 = phi_3502_;
                                         if _e1164 {
                                             if _e1111 {
-                                                phi_3403_ = _e1010.member_1;
+                                                phi_3511_ = _e1004.member_1;
                                             } else {
-                                                phi_3403_ = _e1010.member_2;
+                                                phi_3511_ = _e1004.member_2;
                                             }
-                                            let _e1168 = phi_3403_;
-                                            phi_3408_ = _e1168;
-                                            phi_3409_ = select(_e1112, true, _e1111);
+                                            let _e1168 = phi_3511_;
+                                            phi_3516_ = select(_e1112, true, _e1111);
+                                            phi_3518_ = _e1168;
                                         } else {
-                                            phi_3408_ = _e1160;
-                                            phi_3409_ = _e700;
+                                            phi_3516_ = _e698;
+                                            phi_3518_ = _e1162;
                                         }
-                                        let _e1171 = phi_3408_;
-                                        let _e1173 = phi_3409_;
-                                        phi_3803_ = _e656;
-                                        phi_3411_ = type_40(_e658.member, (_e658.member_1 + 1u), _e658.member_2);
-                                        phi_3412_ = _e1171;
-                                        phi_3413_ = _e1173;
-                                        phi_3414_ = select(_e1162, _e702, _e1164);
+                                        let _e1171 = phi_3516_;
+                                        let _e1173 = phi_3518_;
+                                        phi_3915_ = _e656;
+                                        phi_3523_ = type_40(_e658.member, (_e658.member_1 + 1u), _e658.member_2);
+                                        phi_3524_ = _e1171;
+                                        phi_3525_ = select(_e1160, _e700, _e1164);
+                                        phi_3526_ = _e1173;
                                     }
-                                    let _e1778 = phi_3803_;
-                                    let _e1780 = phi_3411_;
-                                    let _e1782 = phi_3412_;
-                                    let _e1784 = phi_3413_;
-                                    let _e1786 = phi_3414_;
-                                    phi_3802_ = _e1778;
-                                    phi_3415_ = _e1780;
-                                    phi_3416_ = _e1782;
-                                    phi_3417_ = (_e662 - 1u);
-                                    phi_3418_ = _e1784;
-                                    phi_3419_ = _e1786;
+                                    let _e1778 = phi_3915_;
+                                    let _e1780 = phi_3523_;
+                                    let _e1782 = phi_3524_;
+                                    let _e1784 = phi_3525_;
+                                    let _e1786 = phi_3526_;
+                                    phi_3914_ = _e1778;
+                                    phi_3527_ = _e1780;
+                                    phi_3528_ = _e1782;
+                                    phi_3529_ = (_e662 - 1u);
+                                    phi_3530_ = _e1784;
+                                    phi_3531_ = _e1786;
                                 } else {
-                                    phi_3802_ = _e656;
-                                    phi_3415_ = _e658;
-                                    phi_3416_ = _e698;
-                                    phi_3417_ = _e662;
-                                    phi_3418_ = _e700;
-                                    phi_3419_ = _e702;
+                                    phi_3914_ = _e656;
+                                    phi_3527_ = _e658;
+                                    phi_3528_ = _e698;
+                                    phi_3529_ = _e662;
+                                    phi_3530_ = _e700;
+                                    phi_3531_ = _e702;
                                 }
-                                let _e1788 = phi_3802_;
-                                let _e1790 = phi_3415_;
-                                let _e1792 = phi_3416_;
-                                let _e1794 = phi_3417_;
-                                let _e1796 = phi_3418_;
-                                let _e1798 = phi_3419_;
-                                phi_3801_ = _e1788;
-                                phi_3420_ = _e1790;
-                                phi_3421_ = _e1792;
-                                phi_3422_ = _e1794;
-                                phi_3423_ = _e1796;
-                                phi_3424_ = _e1798;
+                                let _e1788 = phi_3914_;
+                                let _e1790 = phi_3527_;
+                                let _e1792 = phi_3528_;
+                                let _e1794 = phi_3529_;
+                                let _e1796 = phi_3530_;
+                                let _e1798 = phi_3531_;
+                                phi_3913_ = _e1788;
+                                phi_3532_ = _e1790;
+                                phi_3533_ = _e1792;
+                                phi_3534_ = _e1794;
+                                phi_3535_ = _e1796;
+                                phi_3536_ = _e1798;
                             } else {
-                                phi_3801_ = _e656;
-                                phi_3420_ = type_40();
-                                phi_3421_ = type_51();
-                                phi_3422_ = u32();
-                                phi_3423_ = bool();
-                                phi_3424_ = u32();
+                                phi_3913_ = _e656;
+                                phi_3532_ = type_40();
+                                phi_3533_ = bool();
+                                phi_3534_ = u32();
+                                phi_3535_ = u32();
+                                phi_3536_ = type_51();
                             }
-                            let _e1800 = phi_3801_;
-                            let _e1802 = phi_3420_;
-                            let _e1804 = phi_3421_;
-                            let _e1806 = phi_3422_;
-                            let _e1808 = phi_3423_;
-                            let _e1810 = phi_3424_;
-                            phi_3800_ = _e1800;
-                            phi_1064_ = _e1802;
-                            phi_1067_ = _e1804;
-                            phi_1069_ = _e1806;
-                            phi_1071_ = _e1808;
-                            phi_1073_ = _e1810;
-                            phi_3425_ = _e670;
+                            let _e1800 = phi_3913_;
+                            let _e1802 = phi_3532_;
+                            let _e1804 = phi_3533_;
+                            let _e1806 = phi_3534_;
+                            let _e1808 = phi_3535_;
+                            let _e1810 = phi_3536_;
+                            phi_3912_ = _e1800;
+                            phi_1082_ = _e1802;
+                            phi_1085_ = _e1804;
+                            phi_1087_ = _e1806;
+                            phi_1089_ = _e1808;
+                            phi_1091_ = _e1810;
+                            phi_3537_ = _e670;
                         } else {
-                            phi_3800_ = _e656;
-                            phi_1064_ = type_40();
-                            phi_1067_ = type_51();
-                            phi_1069_ = u32();
-                            phi_1071_ = bool();
-                            phi_1073_ = u32();
-                            phi_3425_ = false;
+                            phi_3912_ = _e656;
+                            phi_1082_ = type_40();
+                            phi_1085_ = bool();
+                            phi_1087_ = u32();
+                            phi_1089_ = u32();
+                            phi_1091_ = type_51();
+                            phi_3537_ = false;
                         }
-                        let _e1812 = phi_3800_;
-                        let _e1814 = phi_1064_;
-                        let _e1816 = phi_1067_;
-                        let _e1818 = phi_1069_;
-                        let _e1820 = phi_1071_;
-                        let _e1822 = phi_1073_;
-                        let _e1824 = phi_3425_;
+                        let _e1812 = phi_3912_;
+                        let _e1814 = phi_1082_;
+                        let _e1816 = phi_1085_;
+                        let _e1818 = phi_1087_;
+                        let _e1820 = phi_1089_;
+                        let _e1822 = phi_1091_;
+                        let _e1824 = phi_3537_;
                         continue;
                         continuing {
-                            phi_3645_ = _e1812;
-                            phi_1063_ = _e1814;
-                            phi_1066_ = _e1816;
-                            phi_1068_ = _e1818;
-                            phi_1070_ = _e1820;
-                            phi_1072_ = _e1822;
-                            phi_3799_ = _e1812;
+                            phi_3757_ = _e1812;
+                            phi_1081_ = _e1814;
+                            phi_1084_ = _e1816;
+                            phi_1086_ = _e1818;
+                            phi_1088_ = _e1820;
+                            phi_1090_ = _e1822;
+                            phi_3911_ = _e1812;
                             break if !(_e1824);
                         }
                     }
-                    let _e1827 = phi_3799_;
+                    let _e1827 = phi_3911_;
                     if _e1827 {
                         break;
                     }

@@ -34,7 +34,7 @@ struct type_28 {
     member_1: vec4<f32>,
 }
 
-struct type_32 {
+struct type_33 {
     member: type_24,
     member_1: f32,
 }
@@ -44,7 +44,7 @@ struct type_37 {
 }
 
 struct type_39 {
-    member: type_32,
+    member: type_33,
     member_1: u32,
     member_2: u32,
 }
@@ -93,176 +93,176 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_397_: i32;
-    var phi_398_: i32;
-    var phi_408_: bool;
-    var phi_418_: u32;
-    var phi_419_: u32;
-    var phi_421_: bool;
+    var phi_404_: i32;
+    var phi_405_: i32;
+    var phi_415_: bool;
+    var phi_425_: u32;
     var phi_426_: u32;
-    var phi_438_: i32;
-    var phi_458_: i32;
-    var phi_476_: f32;
-    var phi_482_: f32;
-    var phi_522_: f32;
-    var phi_528_: f32;
-    var phi_580_: f32;
-    var phi_591_: f32;
+    var phi_428_: bool;
+    var phi_433_: u32;
+    var phi_446_: i32;
+    var phi_466_: i32;
+    var phi_484_: f32;
+    var phi_490_: f32;
+    var phi_530_: f32;
+    var phi_536_: f32;
+    var phi_588_: f32;
     var phi_600_: f32;
-    var phi_606_: f32;
-    var phi_646_: f32;
-    var phi_652_: f32;
-    var phi_704_: f32;
-    var phi_715_: f32;
-    var phi_724_: f32;
-    var phi_730_: f32;
-    var phi_770_: f32;
-    var phi_776_: f32;
-    var phi_828_: f32;
-    var phi_839_: f32;
-    var phi_894_: i32;
-    var phi_916_: u32;
-    var phi_917_: u32;
-    var phi_954_: i32;
-    var phi_976_: u32;
-    var phi_977_: u32;
-    var phi_985_: f32;
-    var phi_986_: f32;
-    var phi_4295_: bool;
-    var phi_1076_: type_39;
-    var phi_1079_: type_50;
-    var phi_1081_: u32;
-    var phi_1083_: bool;
-    var phi_1085_: u32;
-    var phi_1096_: bool;
-    var phi_1182_: type_50;
-    var phi_1183_: bool;
-    var phi_1184_: u32;
-    var phi_3318_: u32;
-    var phi_3324_: u32;
-    var phi_3578_: u32;
-    var phi_3579_: u32;
-    var phi_3589_: u32;
-    var phi_3591_: u32;
-    var phi_3592_: bool;
-    var phi_3612_: u32;
-    var phi_3613_: u32;
-    var phi_3617_: type_51;
-    var phi_3961_: type_50;
-    var phi_4038_: type_50;
-    var phi_4039_: type_50;
-    var phi_4040_: u32;
-    var phi_4042_: type_50;
-    var phi_4043_: u32;
-    var phi_4044_: bool;
-    var phi_4053_: type_50;
-    var phi_4058_: type_50;
-    var phi_4059_: bool;
-    var phi_1203_: type_39;
-    var phi_1206_: type_8;
-    var phi_1207_: type_8;
-    var phi_1229_: type_8;
-    var phi_1273_: u32;
-    var phi_1279_: u32;
-    var phi_1289_: u32;
-    var phi_1305_: u32;
-    var phi_1338_: u32;
-    var phi_1344_: u32;
-    var phi_1789_: u32;
-    var phi_1807_: u32;
-    var phi_1825_: u32;
-    var phi_1845_: u32;
-    var phi_1863_: u32;
-    var phi_1881_: u32;
-    var phi_1901_: u32;
-    var phi_1919_: u32;
-    var phi_1937_: u32;
-    var phi_1506_: u32;
-    var phi_1521_: u32;
-    var phi_1531_: u32;
-    var phi_1552_: u32;
-    var phi_1573_: u32;
-    var phi_1600_: u32;
-    var phi_1615_: u32;
-    var phi_1625_: u32;
-    var phi_1646_: u32;
-    var phi_1667_: u32;
-    var phi_1694_: u32;
-    var phi_1709_: u32;
-    var phi_1719_: u32;
-    var phi_1740_: u32;
-    var phi_1761_: u32;
-    var phi_1368_: u32;
-    var phi_1414_: u32;
-    var phi_1460_: u32;
-    var phi_1943_: array<array<f32, 3>, 3>;
-    var phi_2060_: bool;
-    var phi_2089_: bool;
-    var phi_2490_: f32;
-    var phi_2491_: f32;
-    var phi_2492_: f32;
-    var phi_2493_: f32;
-    var phi_2494_: vec3<f32>;
-    var phi_2495_: vec3<f32>;
-    var phi_2496_: vec3<f32>;
-    var phi_2497_: vec3<f32>;
-    var phi_2528_: bool;
-    var phi_2537_: vec3<f32>;
-    var phi_2702_: f32;
-    var phi_2704_: f32;
-    var phi_2705_: bool;
-    var phi_2725_: f32;
-    var phi_2726_: f32;
-    var phi_2749_: type_24;
-    var phi_2751_: type_24;
-    var phi_2752_: bool;
-    var phi_2756_: type_24;
-    var phi_2757_: type_24;
-    var phi_2758_: type_24;
-    var phi_2759_: bool;
-    var phi_2763_: type_24;
-    var phi_2764_: bool;
-    var phi_2765_: type_24;
-    var phi_2766_: bool;
-    var phi_2767_: bool;
-    var phi_2768_: type_24;
-    var phi_2769_: bool;
-    var phi_2770_: bool;
-    var phi_2778_: type_24;
-    var phi_2779_: bool;
-    var phi_2783_: type_24;
-    var phi_2808_: bool;
+    var phi_609_: f32;
+    var phi_615_: f32;
+    var phi_655_: f32;
+    var phi_661_: f32;
+    var phi_713_: f32;
+    var phi_725_: f32;
+    var phi_734_: f32;
+    var phi_740_: f32;
+    var phi_780_: f32;
+    var phi_786_: f32;
+    var phi_838_: f32;
+    var phi_850_: f32;
+    var phi_905_: i32;
+    var phi_927_: u32;
+    var phi_928_: u32;
+    var phi_965_: i32;
+    var phi_987_: u32;
+    var phi_988_: u32;
+    var phi_996_: f32;
+    var phi_997_: f32;
+    var phi_4431_: bool;
+    var phi_1094_: type_39;
+    var phi_1097_: bool;
+    var phi_1099_: u32;
+    var phi_1101_: u32;
+    var phi_1103_: type_50;
+    var phi_1114_: bool;
+    var phi_1200_: bool;
+    var phi_1201_: u32;
+    var phi_1202_: type_50;
+    var phi_3429_: u32;
+    var phi_3435_: u32;
+    var phi_3689_: u32;
+    var phi_3690_: u32;
+    var phi_3700_: u32;
+    var phi_3702_: u32;
+    var phi_3703_: bool;
+    var phi_3723_: u32;
+    var phi_3724_: u32;
+    var phi_3728_: type_51;
+    var phi_4093_: type_50;
+    var phi_4170_: type_50;
+    var phi_4171_: u32;
+    var phi_4172_: type_50;
+    var phi_4174_: u32;
+    var phi_4175_: type_50;
+    var phi_4176_: bool;
+    var phi_4185_: type_50;
+    var phi_4190_: bool;
+    var phi_4192_: type_50;
+    var phi_1221_: type_39;
+    var phi_1224_: type_8;
+    var phi_1225_: type_8;
+    var phi_1247_: type_8;
+    var phi_1291_: u32;
+    var phi_1297_: u32;
+    var phi_1307_: u32;
+    var phi_1323_: u32;
+    var phi_1356_: u32;
+    var phi_1362_: u32;
+    var phi_1828_: u32;
+    var phi_1846_: u32;
+    var phi_1864_: u32;
+    var phi_1887_: u32;
+    var phi_1905_: u32;
+    var phi_1923_: u32;
+    var phi_1946_: u32;
+    var phi_1964_: u32;
+    var phi_1982_: u32;
+    var phi_1536_: u32;
+    var phi_1551_: u32;
+    var phi_1561_: u32;
+    var phi_1582_: u32;
+    var phi_1603_: u32;
+    var phi_1633_: u32;
+    var phi_1648_: u32;
+    var phi_1658_: u32;
+    var phi_1679_: u32;
+    var phi_1700_: u32;
+    var phi_1730_: u32;
+    var phi_1745_: u32;
+    var phi_1755_: u32;
+    var phi_1776_: u32;
+    var phi_1797_: u32;
+    var phi_1389_: u32;
+    var phi_1438_: u32;
+    var phi_1487_: u32;
+    var phi_1988_: array<array<f32, 3>, 3>;
+    var phi_2140_: bool;
+    var phi_2169_: bool;
+    var phi_2588_: f32;
+    var phi_2589_: f32;
+    var phi_2590_: f32;
+    var phi_2591_: f32;
+    var phi_2592_: vec3<f32>;
+    var phi_2593_: vec3<f32>;
+    var phi_2594_: vec3<f32>;
+    var phi_2595_: vec3<f32>;
+    var phi_2632_: bool;
+    var phi_2641_: vec3<f32>;
+    var phi_2806_: f32;
+    var phi_2808_: f32;
     var phi_2809_: bool;
-    var phi_2816_: type_39;
-    var phi_2817_: type_39;
-    var phi_2818_: type_39;
-    var phi_1204_: type_39;
-    var phi_4289_: bool;
-    var phi_4500_: bool;
-    var phi_4061_: type_39;
-    var phi_4062_: type_50;
-    var phi_4063_: bool;
-    var phi_4064_: u32;
-    var phi_4499_: bool;
-    var phi_4065_: type_39;
-    var phi_4066_: type_50;
-    var phi_4067_: u32;
-    var phi_4068_: bool;
-    var phi_4069_: u32;
-    var phi_4498_: bool;
-    var phi_4070_: type_39;
-    var phi_4071_: type_50;
-    var phi_4072_: u32;
-    var phi_4073_: bool;
-    var phi_4074_: u32;
-    var phi_4497_: bool;
-    var phi_1077_: type_39;
-    var phi_1080_: type_50;
-    var phi_1082_: u32;
-    var phi_1084_: bool;
-    var phi_1086_: u32;
-    var phi_4075_: bool;
-    var phi_4496_: bool;
+    var phi_2829_: f32;
+    var phi_2830_: f32;
+    var phi_2853_: type_24;
+    var phi_2855_: type_24;
+    var phi_2856_: bool;
+    var phi_2860_: type_24;
+    var phi_2861_: type_24;
+    var phi_2862_: type_24;
+    var phi_2863_: bool;
+    var phi_2867_: type_24;
+    var phi_2868_: bool;
+    var phi_2869_: type_24;
+    var phi_2870_: bool;
+    var phi_2871_: bool;
+    var phi_2872_: type_24;
+    var phi_2873_: bool;
+    var phi_2874_: bool;
+    var phi_2882_: type_24;
+    var phi_2883_: bool;
+    var phi_2887_: type_24;
+    var phi_2912_: bool;
+    var phi_2913_: bool;
+    var phi_2920_: type_39;
+    var phi_2921_: type_39;
+    var phi_2922_: type_39;
+    var phi_1222_: type_39;
+    var phi_4425_: bool;
+    var phi_4636_: bool;
+    var phi_4197_: type_39;
+    var phi_4198_: bool;
+    var phi_4199_: u32;
+    var phi_4200_: type_50;
+    var phi_4635_: bool;
+    var phi_4201_: type_39;
+    var phi_4202_: bool;
+    var phi_4203_: u32;
+    var phi_4204_: u32;
+    var phi_4205_: type_50;
+    var phi_4634_: bool;
+    var phi_4206_: type_39;
+    var phi_4207_: bool;
+    var phi_4208_: u32;
+    var phi_4209_: u32;
+    var phi_4210_: type_50;
+    var phi_4633_: bool;
+    var phi_1095_: type_39;
+    var phi_1098_: bool;
+    var phi_1100_: u32;
+    var phi_1102_: u32;
+    var phi_1104_: type_50;
+    var phi_4211_: bool;
+    var phi_4632_: bool;
     var local_10: type_39;
     var local_11: type_39;
     var local_12: type_39;
@@ -320,211 +320,211 @@ fn function_() {
                     if _e226 {
                         let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
                         if (_e229 >= 8388608u) {
-                            phi_397_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
+                            phi_404_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_397_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
+                            phi_404_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e243 = phi_397_;
-                        phi_398_ = _e243;
+                        let _e243 = phi_404_;
+                        phi_405_ = _e243;
                     } else {
-                        phi_398_ = 0i;
+                        phi_405_ = 0i;
                     }
-                    let _e245 = phi_398_;
+                    let _e245 = phi_405_;
                     let _e246 = (_e162 == _e201);
                     if _e246 {
-                        phi_408_ = true;
+                        phi_415_ = true;
                     } else {
-                        phi_408_ = (_e169 == _e201);
+                        phi_415_ = (_e169 == _e201);
                     }
-                    let _e249 = phi_408_;
+                    let _e249 = phi_415_;
                     let _e250 = select(1u, 0u, _e246);
                     if _e249 {
                         let _e251 = (_e250 + 1u);
-                        phi_418_ = _e251;
-                        phi_419_ = _e251;
-                        phi_421_ = select(true, false, (_e251 == 2u));
+                        phi_425_ = _e251;
+                        phi_426_ = _e251;
+                        phi_428_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_418_ = u32();
-                        phi_419_ = 0u;
-                        phi_421_ = true;
-                    }
-                    let _e255 = phi_418_;
-                    let _e257 = phi_419_;
-                    let _e259 = phi_421_;
-                    if _e259 {
-                        phi_426_ = (_e257 + 1u);
-                    } else {
+                        phi_425_ = u32();
                         phi_426_ = 0u;
+                        phi_428_ = true;
                     }
-                    let _e263 = phi_426_;
+                    let _e255 = phi_425_;
+                    let _e257 = phi_426_;
+                    let _e259 = phi_428_;
+                    if _e259 {
+                        phi_433_ = (_e257 + 1u);
+                    } else {
+                        phi_433_ = 0u;
+                    }
+                    let _e263 = phi_433_;
                     let _e264 = select(_e255, _e257, _e259);
                     let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
                     if (_e132 < -126i) {
-                        phi_438_ = -126i;
+                        phi_446_ = -126i;
                     } else {
-                        phi_438_ = select(_e132, 127i, (_e132 > 127i));
+                        phi_446_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e270 = phi_438_;
+                    let _e270 = phi_446_;
                     let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
                     let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
                     let _e282 = -(_e245);
                     if (_e282 < -126i) {
-                        phi_458_ = -126i;
+                        phi_466_ = -126i;
                     } else {
-                        phi_458_ = select(_e282, 127i, (_e282 > 127i));
+                        phi_466_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e287 = phi_458_;
+                    let _e287 = phi_466_;
                     let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
                     let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
                     let _e302 = global_3.member[_e150].member;
                     let _e303 = (_e264 == 0u);
                     if _e303 {
-                        phi_476_ = _e302[0];
+                        phi_484_ = _e302[0];
                     } else {
-                        phi_476_ = _e302[1];
+                        phi_484_ = _e302[1];
                     }
-                    let _e307 = phi_476_;
+                    let _e307 = phi_484_;
                     let _e308 = (_e264 == 2u);
                     if _e308 {
-                        phi_482_ = _e302[2];
+                        phi_490_ = _e302[2];
                     } else {
-                        phi_482_ = _e307;
+                        phi_490_ = _e307;
                     }
-                    let _e311 = phi_482_;
+                    let _e311 = phi_490_;
                     let _e312 = bitcast<u32>(_e311);
                     let _e314 = ((_e312 & 2139095040u) != 0u);
                     let _e328 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e312 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e312 & 2147483648u))), _e311, _e314) * _e275) * select(0.00000011920929f, 1f, _e314)) * _e281);
                     let _e329 = global_3.member[_e150].member_2;
                     if _e303 {
-                        phi_522_ = _e329[0];
+                        phi_530_ = _e329[0];
                     } else {
-                        phi_522_ = _e329[1];
+                        phi_530_ = _e329[1];
                     }
-                    let _e333 = phi_522_;
+                    let _e333 = phi_530_;
                     if _e308 {
-                        phi_528_ = _e329[2];
+                        phi_536_ = _e329[2];
                     } else {
-                        phi_528_ = _e333;
+                        phi_536_ = _e333;
                     }
-                    let _e336 = phi_528_;
+                    let _e336 = phi_536_;
                     let _e337 = bitcast<u32>(_e336);
                     let _e339 = ((_e337 & 2139095040u) != 0u);
                     let _e353 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e336, _e339) * _e292) * select(0.00000011920929f, 1f, _e339)) * _e298);
                     let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e357 {
                         let _e361 = (bitcast<f32>((bitcast<u32>(_e328) & 2147483647u)) * 0.00000011920929f);
-                        phi_580_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
+                        phi_588_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
                     } else {
-                        phi_580_ = 0f;
+                        phi_588_ = 0f;
                     }
-                    let _e365 = phi_580_;
+                    let _e365 = phi_588_;
                     let _e366 = (_e328 + _e365);
                     let _e367 = (_e328 - _e365);
                     let _e368 = select(_e353, 0f, _e357);
                     if _e357 {
-                        phi_591_ = 38685626000000000000000000f;
+                        phi_600_ = 38685626000000000000000000f;
                     } else {
-                        phi_591_ = (1f / _e353);
+                        phi_600_ = (1f / _e353);
                     }
-                    let _e371 = phi_591_;
+                    let _e371 = phi_600_;
                     let _e372 = (_e263 == 0u);
                     if _e372 {
-                        phi_600_ = _e302[0];
+                        phi_609_ = _e302[0];
                     } else {
-                        phi_600_ = _e302[1];
+                        phi_609_ = _e302[1];
                     }
-                    let _e376 = phi_600_;
+                    let _e376 = phi_609_;
                     let _e377 = (_e263 == 2u);
                     if _e377 {
-                        phi_606_ = _e302[2];
+                        phi_615_ = _e302[2];
                     } else {
-                        phi_606_ = _e376;
+                        phi_615_ = _e376;
                     }
-                    let _e380 = phi_606_;
+                    let _e380 = phi_615_;
                     let _e381 = bitcast<u32>(_e380);
                     let _e383 = ((_e381 & 2139095040u) != 0u);
                     let _e397 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e381 & 2147483648u))), _e380, _e383) * _e275) * select(0.00000011920929f, 1f, _e383)) * _e281);
                     if _e372 {
-                        phi_646_ = _e329[0];
+                        phi_655_ = _e329[0];
                     } else {
-                        phi_646_ = _e329[1];
+                        phi_655_ = _e329[1];
                     }
-                    let _e401 = phi_646_;
+                    let _e401 = phi_655_;
                     if _e377 {
-                        phi_652_ = _e329[2];
+                        phi_661_ = _e329[2];
                     } else {
-                        phi_652_ = _e401;
+                        phi_661_ = _e401;
                     }
-                    let _e404 = phi_652_;
+                    let _e404 = phi_661_;
                     let _e405 = bitcast<u32>(_e404);
                     let _e407 = ((_e405 & 2139095040u) != 0u);
                     let _e421 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e405 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e405 & 2147483648u))), _e404, _e407) * _e292) * select(0.00000011920929f, 1f, _e407)) * _e298);
                     let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e425 {
                         let _e429 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
-                        phi_704_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
+                        phi_713_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
                     } else {
-                        phi_704_ = 0f;
+                        phi_713_ = 0f;
                     }
-                    let _e433 = phi_704_;
+                    let _e433 = phi_713_;
                     let _e434 = (_e397 + _e433);
                     let _e435 = (_e397 - _e433);
                     let _e436 = select(_e421, 0f, _e425);
                     if _e425 {
-                        phi_715_ = 38685626000000000000000000f;
+                        phi_725_ = 38685626000000000000000000f;
                     } else {
-                        phi_715_ = (1f / _e421);
+                        phi_725_ = (1f / _e421);
                     }
-                    let _e439 = phi_715_;
+                    let _e439 = phi_725_;
                     let _e440 = (_e265 == 0u);
                     if _e440 {
-                        phi_724_ = _e302[0];
+                        phi_734_ = _e302[0];
                     } else {
-                        phi_724_ = _e302[1];
+                        phi_734_ = _e302[1];
                     }
-                    let _e444 = phi_724_;
+                    let _e444 = phi_734_;
                     let _e445 = (_e265 == 2u);
                     if _e445 {
-                        phi_730_ = _e302[2];
+                        phi_740_ = _e302[2];
                     } else {
-                        phi_730_ = _e444;
+                        phi_740_ = _e444;
                     }
-                    let _e448 = phi_730_;
+                    let _e448 = phi_740_;
                     let _e449 = bitcast<u32>(_e448);
                     let _e451 = ((_e449 & 2139095040u) != 0u);
                     let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e275) * select(0.00000011920929f, 1f, _e451)) * _e281);
                     if _e440 {
-                        phi_770_ = _e329[0];
+                        phi_780_ = _e329[0];
                     } else {
-                        phi_770_ = _e329[1];
+                        phi_780_ = _e329[1];
                     }
-                    let _e469 = phi_770_;
+                    let _e469 = phi_780_;
                     if _e445 {
-                        phi_776_ = _e329[2];
+                        phi_786_ = _e329[2];
                     } else {
-                        phi_776_ = _e469;
+                        phi_786_ = _e469;
                     }
-                    let _e472 = phi_776_;
+                    let _e472 = phi_786_;
                     let _e473 = bitcast<u32>(_e472);
                     let _e475 = ((_e473 & 2139095040u) != 0u);
                     let _e489 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e473 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e473 & 2147483648u))), _e472, _e475) * _e292) * select(0.00000011920929f, 1f, _e475)) * _e298);
                     let _e493 = (bitcast<f32>((bitcast<u32>(_e489) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e493 {
                         let _e497 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) * 0.00000011920929f);
-                        phi_828_ = select(0.00000000000011368684f, _e497, (_e497 > 0.00000000000011368684f));
+                        phi_838_ = select(0.00000000000011368684f, _e497, (_e497 > 0.00000000000011368684f));
                     } else {
-                        phi_828_ = 0f;
+                        phi_838_ = 0f;
                     }
-                    let _e501 = phi_828_;
+                    let _e501 = phi_838_;
                     let _e502 = (_e465 + _e501);
                     let _e503 = (_e465 - _e501);
                     let _e504 = select(_e489, 0f, _e493);
                     if _e493 {
-                        phi_839_ = 38685626000000000000000000f;
+                        phi_850_ = 38685626000000000000000000f;
                     } else {
-                        phi_839_ = (1f / _e489);
+                        phi_850_ = (1f / _e489);
                     }
-                    let _e507 = phi_839_;
+                    let _e507 = phi_850_;
                     let _e510 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
                     let _e513 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
                     let _e515 = select(_e513, _e510, (_e510 > _e513));
@@ -536,55 +536,55 @@ fn function_() {
                         let _e538 = (_e531 == 0u);
                         let _e541 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e531)), 32u, _e538)) - 8i);
                         if (_e534 == 255i) {
-                            phi_894_ = 255i;
+                            phi_905_ = 255i;
                         } else {
-                            phi_894_ = (((_e534 + select(0i, 1i, (_e534 == 0i))) - _e541) + _e521);
+                            phi_905_ = (((_e534 + select(0i, 1i, (_e534 == 0i))) - _e541) + _e521);
                         }
-                        let _e549 = phi_894_;
+                        let _e549 = phi_905_;
                         let _e559 = (_e549 <= 0i);
                         if _e559 {
-                            phi_917_ = u32();
+                            phi_928_ = u32();
                         } else {
                             if _e538 {
-                                phi_916_ = u32();
+                                phi_927_ = u32();
                             } else {
-                                phi_916_ = select(((bitcast<u32>(_e549) << bitcast<u32>(23i)) | ((_e531 << bitcast<u32>(((_e541 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e549 >= 255i));
+                                phi_927_ = select(((bitcast<u32>(_e549) << bitcast<u32>(23i)) | ((_e531 << bitcast<u32>(((_e541 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e549 >= 255i));
                             }
-                            let _e563 = phi_916_;
-                            phi_917_ = _e563;
+                            let _e563 = phi_927_;
+                            phi_928_ = _e563;
                         }
-                        let _e565 = phi_917_;
+                        let _e565 = phi_928_;
                         let _e577 = ((_e222 & 8388607u) | (select(0u, 1u, ((_e222 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e580 = bitcast<i32>((_e222 >> bitcast<u32>(23i)));
                         let _e584 = (_e577 == 0u);
                         let _e587 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e577)), 32u, _e584)) - 8i);
                         if (_e580 == 255i) {
-                            phi_954_ = 255i;
+                            phi_965_ = 255i;
                         } else {
-                            phi_954_ = (((_e580 + select(0i, 1i, (_e580 == 0i))) - _e587) + _e521);
+                            phi_965_ = (((_e580 + select(0i, 1i, (_e580 == 0i))) - _e587) + _e521);
                         }
-                        let _e595 = phi_954_;
+                        let _e595 = phi_965_;
                         let _e605 = (_e595 <= 0i);
                         if _e605 {
-                            phi_977_ = u32();
+                            phi_988_ = u32();
                         } else {
                             if _e584 {
-                                phi_976_ = u32();
+                                phi_987_ = u32();
                             } else {
-                                phi_976_ = select(((bitcast<u32>(_e595) << bitcast<u32>(23i)) | ((_e577 << bitcast<u32>(((_e587 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e595 >= 255i));
+                                phi_987_ = select(((bitcast<u32>(_e595) << bitcast<u32>(23i)) | ((_e577 << bitcast<u32>(((_e587 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e595 >= 255i));
                             }
-                            let _e609 = phi_976_;
-                            phi_977_ = _e609;
+                            let _e609 = phi_987_;
+                            phi_988_ = _e609;
                         }
-                        let _e611 = phi_977_;
-                        phi_985_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e611, 0u, select(_e584, true, _e605))));
-                        phi_986_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e565, 0u, select(_e538, true, _e559))));
+                        let _e611 = phi_988_;
+                        phi_996_ = bitcast<f32>(((_e221 & 2147483648u) | select(_e611, 0u, select(_e584, true, _e605))));
+                        phi_997_ = bitcast<f32>(((_e212 & 2147483648u) | select(_e565, 0u, select(_e538, true, _e559))));
                     } else {
-                        phi_985_ = 0f;
-                        phi_986_ = 1f;
+                        phi_996_ = 0f;
+                        phi_997_ = 1f;
                     }
-                    let _e617 = phi_985_;
-                    let _e619 = phi_986_;
+                    let _e617 = phi_996_;
+                    let _e619 = phi_997_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -629,203 +629,203 @@ fn function_() {
                         break;
                     }
                     let _e652 = local[_e636];
-                    phi_4295_ = false;
-                    phi_1076_ = type_39(type_32(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e617), 0u, 0u);
-                    phi_1079_ = type_50(type_28(vec4<f32>((f32(_e627) * _e144), (f32(_e633) * _e144), (f32(_e639) * _e144), 0f), vec4<f32>((f32(_e644) * _e144), (f32(_e648) * _e144), (f32(_e652) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
-                    phi_1081_ = ((3u * _e93) + 1u);
-                    phi_1083_ = (_e619 <= _e617);
-                    phi_1085_ = 0u;
+                    phi_4431_ = false;
+                    phi_1094_ = type_39(type_33(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e617), 0u, 0u);
+                    phi_1097_ = (_e619 <= _e617);
+                    phi_1099_ = ((3u * _e93) + 1u);
+                    phi_1101_ = 0u;
+                    phi_1103_ = type_50(type_28(vec4<f32>((f32(_e627) * _e144), (f32(_e633) * _e144), (f32(_e639) * _e144), 0f), vec4<f32>((f32(_e644) * _e144), (f32(_e648) * _e144), (f32(_e652) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
                     loop {
-                        let _e662 = phi_4295_;
-                        let _e664 = phi_1076_;
-                        let _e666 = phi_1079_;
-                        let _e668 = phi_1081_;
-                        let _e670 = phi_1083_;
-                        let _e672 = phi_1085_;
+                        let _e662 = phi_4431_;
+                        let _e664 = phi_1094_;
+                        let _e666 = phi_1097_;
+                        let _e668 = phi_1099_;
+                        let _e670 = phi_1101_;
+                        let _e672 = phi_1103_;
                         local_10 = _e664;
                         local_11 = _e664;
-                        if _e670 {
-                            phi_1096_ = true;
+                        if _e666 {
+                            phi_1114_ = true;
                         } else {
-                            phi_1096_ = (_e672 > 0u);
+                            phi_1114_ = (_e670 > 0u);
                         }
-                        let _e675 = phi_1096_;
+                        let _e675 = phi_1114_;
                         if _e675 {
                             let _e676 = (_e668 > 0u);
                             if _e676 {
-                                if _e670 {
-                                    phi_1182_ = _e666;
-                                    phi_1183_ = _e670;
-                                    phi_1184_ = _e672;
+                                if _e666 {
+                                    phi_1200_ = _e666;
+                                    phi_1201_ = _e670;
+                                    phi_1202_ = _e672;
                                 } else {
-                                    let _e677 = (_e672 - 1u);
+                                    let _e677 = (_e670 - 1u);
                                     let _e678 = (_e677 % 128u);
                                     let _e679 = (_e678 < 128u);
                                     if _e679 {
                                     } else {
-                                        phi_4496_ = true;
+                                        phi_4632_ = true;
                                         break;
                                     }
                                     let _e681 = local_7[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4496_ = true;
+                                        phi_4632_ = true;
                                         break;
                                     }
                                     let _e683 = local_6[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4496_ = true;
+                                        phi_4632_ = true;
                                         break;
                                     }
                                     let _e685 = local_5[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4496_ = true;
+                                        phi_4632_ = true;
                                         break;
                                     }
                                     let _e687 = local_4[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4496_ = true;
+                                        phi_4632_ = true;
                                         break;
                                     }
                                     let _e689 = local_3[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4496_ = true;
+                                        phi_4632_ = true;
                                         break;
                                     }
                                     let _e691 = local_2[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4496_ = true;
+                                        phi_4632_ = true;
                                         break;
                                     }
                                     let _e696 = local_8[_e678];
                                     if _e679 {
                                     } else {
-                                        phi_4496_ = true;
+                                        phi_4632_ = true;
                                         break;
                                     }
                                     let _e699 = local_9[_e678];
-                                    phi_1182_ = type_50(type_28(vec4<f32>(_e681, _e683, _e685, 0f), vec4<f32>(_e687, _e689, _e691, 0f)), _e696);
-                                    phi_1183_ = (_e699 <= _e664.member.member_1);
-                                    phi_1184_ = _e677;
+                                    phi_1200_ = (_e699 <= _e664.member.member_1);
+                                    phi_1201_ = _e677;
+                                    phi_1202_ = type_50(type_28(vec4<f32>(_e681, _e683, _e685, 0f), vec4<f32>(_e687, _e689, _e691, 0f)), _e696);
                                 }
-                                let _e704 = phi_1182_;
-                                let _e706 = phi_1183_;
-                                let _e708 = phi_1184_;
-                                if _e706 {
-                                    let _e713 = (_e704.member_1 & 268435455u);
-                                    if ((_e704.member_1 & 2147483648u) != 0u) {
-                                        phi_1203_ = _e664;
-                                        phi_1206_ = type_8(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e704 = phi_1200_;
+                                let _e706 = phi_1201_;
+                                let _e708 = phi_1202_;
+                                if _e704 {
+                                    let _e713 = (_e708.member_1 & 268435455u);
+                                    if ((_e708.member_1 & 2147483648u) != 0u) {
+                                        phi_1221_ = _e664;
+                                        phi_1224_ = type_8(0u, ((_e708.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1204 = phi_1203_;
-                                            let _e1206 = phi_1206_;
+                                            let _e1204 = phi_1221_;
+                                            let _e1206 = phi_1224_;
                                             local_12 = _e1204;
                                             if (_e1206.member < _e1206.member_1) {
-                                                phi_1207_ = type_8((_e1206.member + 1u), _e1206.member_1);
-                                                phi_1229_ = type_8(1u, _e1206.member);
+                                                phi_1225_ = type_8((_e1206.member + 1u), _e1206.member_1);
+                                                phi_1247_ = type_8(1u, _e1206.member);
                                             } else {
-                                                phi_1207_ = _e1206;
-                                                phi_1229_ = type_8(0u, type_8().member_1);
+                                                phi_1225_ = _e1206;
+                                                phi_1247_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1219 = phi_1207_;
-                                            let _e1221 = phi_1229_;
+                                            let _e1219 = phi_1225_;
+                                            let _e1221 = phi_1247_;
                                             let _e1225 = (bitcast<i32>(_e1221.member) != 0i);
                                             if _e1225 {
                                                 let _e1231 = type_39(_e1204.member, _e1204.member_1, (_e1204.member_2 + 1u));
-                                                let _e1236 = (_e704.member.member_1.x - _e704.member.member.x);
-                                                let _e1239 = (_e704.member.member_1.y - _e704.member.member.y);
-                                                let _e1242 = (_e704.member.member_1.z - _e704.member.member.z);
+                                                let _e1236 = (_e708.member.member_1.x - _e708.member.member.x);
+                                                let _e1239 = (_e708.member.member_1.y - _e708.member.member.y);
+                                                let _e1242 = (_e708.member.member_1.z - _e708.member.member.z);
                                                 let _e1244 = select(_e1239, _e1236, (_e1236 > _e1239));
                                                 let _e1246 = select(_e1242, _e1244, (_e1244 > _e1242));
                                                 let _e1248 = (_e1246 < (1024f * _e144));
                                                 if _e1248 {
-                                                    phi_1273_ = 0u;
+                                                    phi_1291_ = 0u;
                                                 } else {
-                                                    phi_1273_ = select(2u, 1u, (_e1246 < (2097152f * _e144)));
+                                                    phi_1291_ = select(2u, 1u, (_e1246 < (2097152f * _e144)));
                                                 }
-                                                let _e1253 = phi_1273_;
+                                                let _e1253 = phi_1291_;
                                                 switch bitcast<i32>(_e1253) {
                                                     case 0: {
-                                                        phi_1279_ = 1u;
+                                                        phi_1297_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1279_ = 2u;
+                                                        phi_1297_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1279_ = 3u;
+                                                        phi_1297_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1279_ = u32();
+                                                        phi_1297_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1256 = phi_1279_;
+                                                let _e1256 = phi_1297_;
                                                 switch bitcast<i32>(_e1253) {
                                                     case 0: {
-                                                        phi_1289_ = 1u;
+                                                        phi_1307_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1289_ = 2u;
+                                                        phi_1307_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1289_ = 3u;
+                                                        phi_1307_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1289_ = u32();
+                                                        phi_1307_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1263 = phi_1289_;
+                                                let _e1263 = phi_1307_;
                                                 let _e1265 = ((_e713 + (_e1221.member_1 * ((3u * _e1256) + 1u))) + (3u * _e1263));
                                                 let _e1266 = (_e1265 < _e96);
                                                 if _e1266 {
                                                     if _e1266 {
                                                     } else {
-                                                        phi_4289_ = true;
+                                                        phi_4425_ = true;
                                                         break;
                                                     }
                                                     let _e1268 = global_5.member[_e1265];
-                                                    phi_1305_ = _e1268;
+                                                    phi_1323_ = _e1268;
                                                 } else {
-                                                    phi_1305_ = 4294967295u;
+                                                    phi_1323_ = 4294967295u;
                                                 }
-                                                let _e1270 = phi_1305_;
+                                                let _e1270 = phi_1323_;
                                                 if _e1248 {
-                                                    phi_1338_ = 0u;
+                                                    phi_1356_ = 0u;
                                                 } else {
-                                                    phi_1338_ = select(2u, 1u, (_e1246 < (2097152f * _e144)));
+                                                    phi_1356_ = select(2u, 1u, (_e1246 < (2097152f * _e144)));
                                                 }
-                                                let _e1275 = phi_1338_;
+                                                let _e1275 = phi_1356_;
                                                 switch bitcast<i32>(_e1275) {
                                                     case 0: {
-                                                        phi_1344_ = 1u;
+                                                        phi_1362_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1344_ = 2u;
+                                                        phi_1362_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1344_ = 3u;
+                                                        phi_1362_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1344_ = u32();
+                                                        phi_1362_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1278 = phi_1344_;
+                                                let _e1278 = phi_1362_;
                                                 let _e1282 = (_e713 + (_e1221.member_1 * ((3u * _e1278) + 1u)));
                                                 switch bitcast<i32>(_e1275) {
                                                     case 0: {
@@ -833,15 +833,15 @@ fn function_() {
                                                         if _e1557 {
                                                             if _e1557 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1559 = global_5.member[_e1282];
-                                                            phi_1368_ = _e1559;
+                                                            phi_1389_ = _e1559;
                                                         } else {
-                                                            phi_1368_ = 0u;
+                                                            phi_1389_ = 0u;
                                                         }
-                                                        let _e1561 = phi_1368_;
+                                                        let _e1561 = phi_1389_;
                                                         let _e1563 = ((10u * _e264) & 31u);
                                                         let _e1573 = ((10u * _e263) & 31u);
                                                         let _e1583 = ((10u * _e265) & 31u);
@@ -850,30 +850,30 @@ fn function_() {
                                                         if _e1594 {
                                                             if _e1594 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1596 = global_5.member[_e1593];
-                                                            phi_1414_ = _e1596;
+                                                            phi_1438_ = _e1596;
                                                         } else {
-                                                            phi_1414_ = 0u;
+                                                            phi_1438_ = 0u;
                                                         }
-                                                        let _e1598 = phi_1414_;
+                                                        let _e1598 = phi_1438_;
                                                         let _e1624 = (_e1282 + 2u);
                                                         let _e1625 = (_e1624 < _e96);
                                                         if _e1625 {
                                                             if _e1625 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1627 = global_5.member[_e1624];
-                                                            phi_1460_ = _e1627;
+                                                            phi_1487_ = _e1627;
                                                         } else {
-                                                            phi_1460_ = 0u;
+                                                            phi_1487_ = 0u;
                                                         }
-                                                        let _e1629 = phi_1460_;
-                                                        phi_1943_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))));
+                                                        let _e1629 = phi_1487_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1561 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1598 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1563)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1573)) & 1023u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | ((_e1629 >> bitcast<u32>(_e1583)) & 1023u))) - 8388608f) * _e144))));
                                                         break;
                                                     }
                                                     case 1: {
@@ -881,143 +881,143 @@ fn function_() {
                                                         if _e1371 {
                                                             if _e1371 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1373 = global_5.member[_e1282];
-                                                            phi_1506_ = _e1373;
+                                                            phi_1536_ = _e1373;
                                                         } else {
-                                                            phi_1506_ = 0u;
+                                                            phi_1536_ = 0u;
                                                         }
-                                                        let _e1375 = phi_1506_;
+                                                        let _e1375 = phi_1536_;
                                                         let _e1376 = (_e1282 + 1u);
                                                         let _e1377 = (_e1376 < _e96);
                                                         if _e1377 {
                                                             if _e1377 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1379 = global_5.member[_e1376];
-                                                            phi_1521_ = _e1379;
+                                                            phi_1551_ = _e1379;
                                                         } else {
-                                                            phi_1521_ = 0u;
+                                                            phi_1551_ = 0u;
                                                         }
-                                                        let _e1381 = phi_1521_;
+                                                        let _e1381 = phi_1551_;
                                                         let _e1382 = (_e264 == 1u);
                                                         if _e1382 {
-                                                            phi_1531_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
+                                                            phi_1561_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1531_ = (_e1381 >> bitcast<u32>(10i));
+                                                            phi_1561_ = (_e1381 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1391 = phi_1531_;
+                                                        let _e1391 = phi_1561_;
                                                         let _e1399 = (_e263 == 1u);
                                                         if _e1399 {
-                                                            phi_1552_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
+                                                            phi_1582_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1552_ = (_e1381 >> bitcast<u32>(10i));
+                                                            phi_1582_ = (_e1381 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1408 = phi_1552_;
+                                                        let _e1408 = phi_1582_;
                                                         let _e1416 = (_e265 == 1u);
                                                         if _e1416 {
-                                                            phi_1573_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
+                                                            phi_1603_ = ((_e1375 >> bitcast<u32>(21i)) | (_e1381 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1573_ = (_e1381 >> bitcast<u32>(10i));
+                                                            phi_1603_ = (_e1381 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1425 = phi_1573_;
+                                                        let _e1425 = phi_1603_;
                                                         let _e1434 = (_e1282 + 2u);
                                                         let _e1435 = (_e1434 < _e96);
                                                         if _e1435 {
                                                             if _e1435 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1437 = global_5.member[_e1434];
-                                                            phi_1600_ = _e1437;
+                                                            phi_1633_ = _e1437;
                                                         } else {
-                                                            phi_1600_ = 0u;
+                                                            phi_1633_ = 0u;
                                                         }
-                                                        let _e1439 = phi_1600_;
+                                                        let _e1439 = phi_1633_;
                                                         let _e1440 = (_e1282 + 3u);
                                                         let _e1441 = (_e1440 < _e96);
                                                         if _e1441 {
                                                             if _e1441 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1443 = global_5.member[_e1440];
-                                                            phi_1615_ = _e1443;
+                                                            phi_1648_ = _e1443;
                                                         } else {
-                                                            phi_1615_ = 0u;
+                                                            phi_1648_ = 0u;
                                                         }
-                                                        let _e1445 = phi_1615_;
+                                                        let _e1445 = phi_1648_;
                                                         if _e1382 {
-                                                            phi_1625_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
+                                                            phi_1658_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1625_ = (_e1445 >> bitcast<u32>(10i));
+                                                            phi_1658_ = (_e1445 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1454 = phi_1625_;
+                                                        let _e1454 = phi_1658_;
                                                         if _e1399 {
-                                                            phi_1646_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
+                                                            phi_1679_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1646_ = (_e1445 >> bitcast<u32>(10i));
+                                                            phi_1679_ = (_e1445 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1470 = phi_1646_;
+                                                        let _e1470 = phi_1679_;
                                                         if _e1416 {
-                                                            phi_1667_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
+                                                            phi_1700_ = ((_e1439 >> bitcast<u32>(21i)) | (_e1445 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1667_ = (_e1445 >> bitcast<u32>(10i));
+                                                            phi_1700_ = (_e1445 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1486 = phi_1667_;
+                                                        let _e1486 = phi_1700_;
                                                         let _e1495 = (_e1282 + 4u);
                                                         let _e1496 = (_e1495 < _e96);
                                                         if _e1496 {
                                                             if _e1496 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1498 = global_5.member[_e1495];
-                                                            phi_1694_ = _e1498;
+                                                            phi_1730_ = _e1498;
                                                         } else {
-                                                            phi_1694_ = 0u;
+                                                            phi_1730_ = 0u;
                                                         }
-                                                        let _e1500 = phi_1694_;
+                                                        let _e1500 = phi_1730_;
                                                         let _e1501 = (_e1282 + 5u);
                                                         let _e1502 = (_e1501 < _e96);
                                                         if _e1502 {
                                                             if _e1502 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1504 = global_5.member[_e1501];
-                                                            phi_1709_ = _e1504;
+                                                            phi_1745_ = _e1504;
                                                         } else {
-                                                            phi_1709_ = 0u;
+                                                            phi_1745_ = 0u;
                                                         }
-                                                        let _e1506 = phi_1709_;
+                                                        let _e1506 = phi_1745_;
                                                         if _e1382 {
-                                                            phi_1719_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                            phi_1755_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1719_ = (_e1506 >> bitcast<u32>(10i));
+                                                            phi_1755_ = (_e1506 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1515 = phi_1719_;
+                                                        let _e1515 = phi_1755_;
                                                         if _e1399 {
-                                                            phi_1740_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                            phi_1776_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1740_ = (_e1506 >> bitcast<u32>(10i));
+                                                            phi_1776_ = (_e1506 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1531 = phi_1740_;
+                                                        let _e1531 = phi_1776_;
                                                         if _e1416 {
-                                                            phi_1761_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
+                                                            phi_1797_ = ((_e1500 >> bitcast<u32>(21i)) | (_e1506 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1761_ = (_e1506 >> bitcast<u32>(10i));
+                                                            phi_1797_ = (_e1506 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1547 = phi_1761_;
-                                                        phi_1943_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1391, _e1375, _e303) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1408, _e1375, _e372) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1425, _e1375, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1454, _e1439, _e303) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1470, _e1439, _e372) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1486, _e1439, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1515, _e1500, _e303) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1531, _e1500, _e372) & 2097151u))) - 8388608f) * _e144)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1547, _e1500, _e440) & 2097151u))) - 8388608f) * _e144))));
+                                                        let _e1547 = phi_1797_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1391, _e1375, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1408, _e1375, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1425, _e1375, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1454, _e1439, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1470, _e1439, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1486, _e1439, _e440) & 2097151u))) - 8388608f) * _e144))), array<f32, 3>((_e708.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1515, _e1500, _e303) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1531, _e1500, _e372) & 2097151u))) - 8388608f) * _e144)), (_e708.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1547, _e1500, _e440) & 2097151u))) - 8388608f) * _e144))));
                                                         break;
                                                     }
                                                     case 2: {
@@ -1026,138 +1026,138 @@ fn function_() {
                                                         if _e1285 {
                                                             if _e1285 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1287 = global_5.member[_e1284];
-                                                            phi_1789_ = _e1287;
+                                                            phi_1828_ = _e1287;
                                                         } else {
-                                                            phi_1789_ = 0u;
+                                                            phi_1828_ = 0u;
                                                         }
-                                                        let _e1289 = phi_1789_;
+                                                        let _e1289 = phi_1828_;
                                                         let _e1293 = (_e1282 + _e263);
                                                         let _e1294 = (_e1293 < _e96);
                                                         if _e1294 {
                                                             if _e1294 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1296 = global_5.member[_e1293];
-                                                            phi_1807_ = _e1296;
+                                                            phi_1846_ = _e1296;
                                                         } else {
-                                                            phi_1807_ = 0u;
+                                                            phi_1846_ = 0u;
                                                         }
-                                                        let _e1298 = phi_1807_;
+                                                        let _e1298 = phi_1846_;
                                                         let _e1302 = (_e1282 + _e265);
                                                         let _e1303 = (_e1302 < _e96);
                                                         if _e1303 {
                                                             if _e1303 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1305 = global_5.member[_e1302];
-                                                            phi_1825_ = _e1305;
+                                                            phi_1864_ = _e1305;
                                                         } else {
-                                                            phi_1825_ = 0u;
+                                                            phi_1864_ = 0u;
                                                         }
-                                                        let _e1307 = phi_1825_;
+                                                        let _e1307 = phi_1864_;
                                                         let _e1312 = (_e1282 + 3u);
                                                         let _e1313 = (_e1312 + _e264);
                                                         let _e1314 = (_e1313 < _e96);
                                                         if _e1314 {
                                                             if _e1314 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1316 = global_5.member[_e1313];
-                                                            phi_1845_ = _e1316;
+                                                            phi_1887_ = _e1316;
                                                         } else {
-                                                            phi_1845_ = 0u;
+                                                            phi_1887_ = 0u;
                                                         }
-                                                        let _e1318 = phi_1845_;
+                                                        let _e1318 = phi_1887_;
                                                         let _e1322 = (_e1312 + _e263);
                                                         let _e1323 = (_e1322 < _e96);
                                                         if _e1323 {
                                                             if _e1323 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1325 = global_5.member[_e1322];
-                                                            phi_1863_ = _e1325;
+                                                            phi_1905_ = _e1325;
                                                         } else {
-                                                            phi_1863_ = 0u;
+                                                            phi_1905_ = 0u;
                                                         }
-                                                        let _e1327 = phi_1863_;
+                                                        let _e1327 = phi_1905_;
                                                         let _e1331 = (_e1312 + _e265);
                                                         let _e1332 = (_e1331 < _e96);
                                                         if _e1332 {
                                                             if _e1332 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1334 = global_5.member[_e1331];
-                                                            phi_1881_ = _e1334;
+                                                            phi_1923_ = _e1334;
                                                         } else {
-                                                            phi_1881_ = 0u;
+                                                            phi_1923_ = 0u;
                                                         }
-                                                        let _e1336 = phi_1881_;
+                                                        let _e1336 = phi_1923_;
                                                         let _e1341 = (_e1282 + 6u);
                                                         let _e1342 = (_e1341 + _e264);
                                                         let _e1343 = (_e1342 < _e96);
                                                         if _e1343 {
                                                             if _e1343 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1345 = global_5.member[_e1342];
-                                                            phi_1901_ = _e1345;
+                                                            phi_1946_ = _e1345;
                                                         } else {
-                                                            phi_1901_ = 0u;
+                                                            phi_1946_ = 0u;
                                                         }
-                                                        let _e1347 = phi_1901_;
+                                                        let _e1347 = phi_1946_;
                                                         let _e1351 = (_e1341 + _e263);
                                                         let _e1352 = (_e1351 < _e96);
                                                         if _e1352 {
                                                             if _e1352 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1354 = global_5.member[_e1351];
-                                                            phi_1919_ = _e1354;
+                                                            phi_1964_ = _e1354;
                                                         } else {
-                                                            phi_1919_ = 0u;
+                                                            phi_1964_ = 0u;
                                                         }
-                                                        let _e1356 = phi_1919_;
+                                                        let _e1356 = phi_1964_;
                                                         let _e1360 = (_e1341 + _e265);
                                                         let _e1361 = (_e1360 < _e96);
                                                         if _e1361 {
                                                             if _e1361 {
                                                             } else {
-                                                                phi_4289_ = true;
+                                                                phi_4425_ = true;
                                                                 break;
                                                             }
                                                             let _e1363 = global_5.member[_e1360];
-                                                            phi_1937_ = _e1363;
+                                                            phi_1982_ = _e1363;
                                                         } else {
-                                                            phi_1937_ = 0u;
+                                                            phi_1982_ = 0u;
                                                         }
-                                                        let _e1365 = phi_1937_;
-                                                        phi_1943_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1289)) * _e144), (f32(bitcast<i32>(_e1298)) * _e144), (f32(bitcast<i32>(_e1307)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1318)) * _e144), (f32(bitcast<i32>(_e1327)) * _e144), (f32(bitcast<i32>(_e1336)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1347)) * _e144), (f32(bitcast<i32>(_e1356)) * _e144), (f32(bitcast<i32>(_e1365)) * _e144)));
+                                                        let _e1365 = phi_1982_;
+                                                        phi_1988_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1289)) * _e144), (f32(bitcast<i32>(_e1298)) * _e144), (f32(bitcast<i32>(_e1307)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1318)) * _e144), (f32(bitcast<i32>(_e1327)) * _e144), (f32(bitcast<i32>(_e1336)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1347)) * _e144), (f32(bitcast<i32>(_e1356)) * _e144), (f32(bitcast<i32>(_e1365)) * _e144)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1943_ = array<array<f32, 3>, 3>();
+                                                        phi_1988_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1657 = phi_1943_;
+                                                let _e1657 = phi_1988_;
                                                 let _e1666 = (_e1657[0][2] - _e465);
                                                 let _e1669 = (((_e1657[0][0] - _e328) * _e504) - (_e1666 * _e368));
                                                 let _e1672 = (((_e1657[0][1] - _e397) * _e504) - (_e1666 * _e436));
@@ -1184,34 +1184,34 @@ fn function_() {
                                                     let _e1728 = select(0f, _e1726, (_e1726 > 0f));
                                                     let _e1730 = ((_e1720 + _e1724) + _e1728);
                                                     if (_e1730 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2768_ = type_24();
-                                                        phi_2769_ = true;
-                                                        phi_2770_ = false;
+                                                        phi_2872_ = type_24();
+                                                        phi_2873_ = true;
+                                                        phi_2874_ = false;
                                                     } else {
                                                         let _e1733 = select(_e1682, _e1669, (_e1669 < _e1682));
                                                         if (select(_e1695, _e1733, (_e1733 < _e1695)) > 0f) {
-                                                            phi_2060_ = true;
+                                                            phi_2140_ = true;
                                                         } else {
                                                             let _e1738 = select(_e1682, _e1669, (_e1669 > _e1682));
-                                                            phi_2060_ = (select(_e1695, _e1738, (_e1738 > _e1695)) < 0f);
+                                                            phi_2140_ = (select(_e1695, _e1738, (_e1738 > _e1695)) < 0f);
                                                         }
-                                                        let _e1743 = phi_2060_;
+                                                        let _e1743 = phi_2140_;
                                                         if _e1743 {
-                                                            phi_2765_ = type_24();
-                                                            phi_2766_ = true;
-                                                            phi_2767_ = false;
+                                                            phi_2869_ = type_24();
+                                                            phi_2870_ = true;
+                                                            phi_2871_ = false;
                                                         } else {
                                                             let _e1745 = select(_e1685, _e1672, (_e1672 < _e1685));
                                                             if (select(_e1698, _e1745, (_e1745 < _e1698)) > 0f) {
-                                                                phi_2089_ = true;
+                                                                phi_2169_ = true;
                                                             } else {
                                                                 let _e1750 = select(_e1685, _e1672, (_e1672 > _e1685));
-                                                                phi_2089_ = (select(_e1698, _e1750, (_e1750 > _e1698)) < 0f);
+                                                                phi_2169_ = (select(_e1698, _e1750, (_e1750 > _e1698)) < 0f);
                                                             }
-                                                            let _e1755 = phi_2089_;
+                                                            let _e1755 = phi_2169_;
                                                             if _e1755 {
-                                                                phi_2763_ = type_24();
-                                                                phi_2764_ = false;
+                                                                phi_2867_ = type_24();
+                                                                phi_2868_ = false;
                                                             } else {
                                                                 let _e1757 = select(_e1657[1][0], _e1657[0][0], (_e1657[0][0] < _e1657[1][0]));
                                                                 let _e1761 = select(_e1657[1][0], _e1657[0][0], (_e1657[0][0] > _e1657[1][0]));
@@ -1238,12 +1238,12 @@ fn function_() {
                                                                 let _e1812 = -(_e1793);
                                                                 let _e1818 = select(_e619, _e1803, (_e1803 > _e619));
                                                                 if (_e1818 > (_e1811 + (select(_e1812, _e1795, (_e1795 > _e1812)) * 0.0000019073523f))) {
-                                                                    phi_2758_ = type_24();
-                                                                    phi_2759_ = true;
+                                                                    phi_2862_ = type_24();
+                                                                    phi_2863_ = true;
                                                                 } else {
                                                                     let _e1820 = (_e1818 > _e1204.member.member_1);
                                                                     if _e1820 {
-                                                                        phi_2757_ = type_24();
+                                                                        phi_2861_ = type_24();
                                                                     } else {
                                                                         let _e1821 = vec3<f32>(_e1657[0][0], _e1657[0][1], _e1657[0][2]);
                                                                         let _e1822 = vec3<f32>(_e1657[1][0], _e1657[1][1], _e1657[1][2]);
@@ -1278,49 +1278,49 @@ fn function_() {
                                                                         let _e1876 = select(_e1861, _e1848, (_e1848 > _e1861));
                                                                         let _e1878 = select(_e1874, _e1876, (_e1876 > _e1874));
                                                                         if (_e1848 == _e1878) {
-                                                                            phi_2490_ = _e1685;
-                                                                            phi_2491_ = _e1682;
-                                                                            phi_2492_ = _e1672;
-                                                                            phi_2493_ = _e1669;
-                                                                            phi_2494_ = _e1821;
-                                                                            phi_2495_ = _e1835;
-                                                                            phi_2496_ = _e1831;
-                                                                            phi_2497_ = _e1827;
+                                                                            phi_2588_ = _e1685;
+                                                                            phi_2589_ = _e1682;
+                                                                            phi_2590_ = _e1672;
+                                                                            phi_2591_ = _e1669;
+                                                                            phi_2592_ = _e1821;
+                                                                            phi_2593_ = _e1835;
+                                                                            phi_2594_ = _e1831;
+                                                                            phi_2595_ = _e1827;
                                                                         } else {
                                                                             let _e1880 = (_e1861 == _e1878);
                                                                             let _e1885 = vec3(_e1880);
-                                                                            phi_2490_ = select(_e1672, _e1698, _e1880);
-                                                                            phi_2491_ = select(_e1669, _e1695, _e1880);
-                                                                            phi_2492_ = select(_e1698, _e1685, _e1880);
-                                                                            phi_2493_ = select(_e1695, _e1682, _e1880);
-                                                                            phi_2494_ = select(_e1823, _e1822, _e1885);
-                                                                            phi_2495_ = select(_e1831, _e1827, _e1885);
-                                                                            phi_2496_ = select(_e1827, _e1835, _e1885);
-                                                                            phi_2497_ = select(_e1835, _e1831, _e1885);
+                                                                            phi_2588_ = select(_e1672, _e1698, _e1880);
+                                                                            phi_2589_ = select(_e1669, _e1695, _e1880);
+                                                                            phi_2590_ = select(_e1698, _e1685, _e1880);
+                                                                            phi_2591_ = select(_e1695, _e1682, _e1880);
+                                                                            phi_2592_ = select(_e1823, _e1822, _e1885);
+                                                                            phi_2593_ = select(_e1831, _e1827, _e1885);
+                                                                            phi_2594_ = select(_e1827, _e1835, _e1885);
+                                                                            phi_2595_ = select(_e1835, _e1831, _e1885);
                                                                         }
-                                                                        let _e1891 = phi_2490_;
-                                                                        let _e1893 = phi_2491_;
-                                                                        let _e1895 = phi_2492_;
-                                                                        let _e1897 = phi_2493_;
-                                                                        let _e1899 = phi_2494_;
-                                                                        let _e1901 = phi_2495_;
-                                                                        let _e1903 = phi_2496_;
-                                                                        let _e1905 = phi_2497_;
+                                                                        let _e1891 = phi_2588_;
+                                                                        let _e1893 = phi_2589_;
+                                                                        let _e1895 = phi_2590_;
+                                                                        let _e1897 = phi_2591_;
+                                                                        let _e1899 = phi_2592_;
+                                                                        let _e1901 = phi_2593_;
+                                                                        let _e1903 = phi_2594_;
+                                                                        let _e1905 = phi_2595_;
                                                                         let _e1912 = ((_e1903.y * _e1901.z) - (_e1901.y * _e1903.z));
                                                                         let _e1917 = ((_e1903.z * _e1901.x) - (_e1901.z * _e1903.x));
                                                                         let _e1920 = ((_e1903.x * _e1901.y) - (_e1901.x * _e1903.y));
                                                                         if (_e1720 >= _e1724) {
-                                                                            phi_2528_ = select(true, false, (_e1720 >= _e1728));
+                                                                            phi_2632_ = select(true, false, (_e1720 >= _e1728));
                                                                         } else {
-                                                                            phi_2528_ = true;
+                                                                            phi_2632_ = true;
                                                                         }
-                                                                        let _e1925 = phi_2528_;
+                                                                        let _e1925 = phi_2632_;
                                                                         if _e1925 {
-                                                                            phi_2537_ = select(_e1823, _e1822, vec3((_e1724 >= _e1728)));
+                                                                            phi_2641_ = select(_e1823, _e1822, vec3((_e1724 >= _e1728)));
                                                                         } else {
-                                                                            phi_2537_ = _e1821;
+                                                                            phi_2641_ = _e1821;
                                                                         }
-                                                                        let _e1930 = phi_2537_;
+                                                                        let _e1930 = phi_2641_;
                                                                         let _e1941 = (((_e1912 * (_e1930.x - _e328)) + (_e1917 * (_e1930.y - _e397))) + (_e1920 * (_e1930.z - _e465)));
                                                                         let _e1946 = (((_e1912 * _e368) + (_e1917 * _e436)) + (_e1920 * _e504));
                                                                         let _e1947 = (_e1893 - _e1897);
@@ -1352,337 +1352,337 @@ fn function_() {
                                                                             let _e2044 = bitcast<f32>((bitcast<u32>(_e1901.z) & 2147483647u));
                                                                             let _e2048 = (bitcast<f32>((bitcast<u32>(_e1946) & 2147483647u)) > ((0.0000038146973f * select(_e2030, _e2027, (_e2027 > _e2030))) * select(_e2044, _e2041, (_e2041 > _e2044))));
                                                                             if _e2048 {
-                                                                                phi_2702_ = (_e1941 / _e1946);
+                                                                                phi_2806_ = (_e1941 / _e1946);
                                                                             } else {
-                                                                                phi_2702_ = f32();
+                                                                                phi_2806_ = f32();
                                                                             }
-                                                                            let _e2051 = phi_2702_;
-                                                                            phi_2704_ = _e2051;
-                                                                            phi_2705_ = select(true, false, _e2048);
+                                                                            let _e2051 = phi_2806_;
+                                                                            phi_2808_ = _e2051;
+                                                                            phi_2809_ = select(true, false, _e2048);
                                                                         } else {
-                                                                            phi_2704_ = f32();
-                                                                            phi_2705_ = true;
+                                                                            phi_2808_ = f32();
+                                                                            phi_2809_ = true;
                                                                         }
-                                                                        let _e2054 = phi_2704_;
-                                                                        let _e2056 = phi_2705_;
+                                                                        let _e2054 = phi_2808_;
+                                                                        let _e2056 = phi_2809_;
                                                                         if _e2056 {
                                                                             let _e2064 = (((_e1912 * (_e1973 - (_e368 * _e1976))) + (_e1917 * (_e1974 - (_e436 * _e1976)))) / _e1946);
                                                                             if (bitcast<f32>((bitcast<u32>(_e2064) & 2147483647u)) <= _e1878) {
-                                                                                phi_2725_ = (_e1976 + _e2064);
+                                                                                phi_2829_ = (_e1976 + _e2064);
                                                                             } else {
-                                                                                phi_2725_ = _e1976;
+                                                                                phi_2829_ = _e1976;
                                                                             }
-                                                                            let _e2071 = phi_2725_;
-                                                                            phi_2726_ = _e2071;
+                                                                            let _e2071 = phi_2829_;
+                                                                            phi_2830_ = _e2071;
                                                                         } else {
-                                                                            phi_2726_ = _e2054;
+                                                                            phi_2830_ = _e2054;
                                                                         }
-                                                                        let _e2073 = phi_2726_;
+                                                                        let _e2073 = phi_2830_;
                                                                         let _e2075 = select(_e1811, _e2073, (_e2073 < _e1811));
                                                                         let _e2077 = select(_e1803, _e2075, (_e2075 > _e1803));
                                                                         if (_e2077 >= _e619) {
                                                                             let _e2079 = (_e2077 <= _e1204.member.member_1);
                                                                             if _e2079 {
                                                                                 let _e2080 = (1f / _e1730);
-                                                                                phi_2749_ = type_24(_e2077, (_e1724 * _e2080), (_e1728 * _e2080), _e1270);
+                                                                                phi_2853_ = type_24(_e2077, (_e1724 * _e2080), (_e1728 * _e2080), _e1270);
                                                                             } else {
-                                                                                phi_2749_ = type_24();
+                                                                                phi_2853_ = type_24();
                                                                             }
-                                                                            let _e2085 = phi_2749_;
-                                                                            phi_2751_ = _e2085;
-                                                                            phi_2752_ = select(true, false, _e2079);
+                                                                            let _e2085 = phi_2853_;
+                                                                            phi_2855_ = _e2085;
+                                                                            phi_2856_ = select(true, false, _e2079);
                                                                         } else {
-                                                                            phi_2751_ = type_24();
-                                                                            phi_2752_ = true;
+                                                                            phi_2855_ = type_24();
+                                                                            phi_2856_ = true;
                                                                         }
-                                                                        let _e2088 = phi_2751_;
-                                                                        let _e2090 = phi_2752_;
+                                                                        let _e2088 = phi_2855_;
+                                                                        let _e2090 = phi_2856_;
                                                                         if _e2090 {
-                                                                            phi_2756_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2860_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2756_ = _e2088;
+                                                                            phi_2860_ = _e2088;
                                                                         }
-                                                                        let _e2092 = phi_2756_;
-                                                                        phi_2757_ = _e2092;
+                                                                        let _e2092 = phi_2860_;
+                                                                        phi_2861_ = _e2092;
                                                                     }
-                                                                    let _e2094 = phi_2757_;
-                                                                    phi_2758_ = _e2094;
-                                                                    phi_2759_ = _e1820;
+                                                                    let _e2094 = phi_2861_;
+                                                                    phi_2862_ = _e2094;
+                                                                    phi_2863_ = _e1820;
                                                                 }
-                                                                let _e2096 = phi_2758_;
-                                                                let _e2098 = phi_2759_;
-                                                                phi_2763_ = _e2096;
-                                                                phi_2764_ = _e2098;
+                                                                let _e2096 = phi_2862_;
+                                                                let _e2098 = phi_2863_;
+                                                                phi_2867_ = _e2096;
+                                                                phi_2868_ = _e2098;
                                                             }
-                                                            let _e2100 = phi_2763_;
-                                                            let _e2102 = phi_2764_;
-                                                            phi_2765_ = _e2100;
-                                                            phi_2766_ = _e1755;
-                                                            phi_2767_ = _e2102;
+                                                            let _e2100 = phi_2867_;
+                                                            let _e2102 = phi_2868_;
+                                                            phi_2869_ = _e2100;
+                                                            phi_2870_ = _e1755;
+                                                            phi_2871_ = _e2102;
                                                         }
-                                                        let _e2104 = phi_2765_;
-                                                        let _e2106 = phi_2766_;
-                                                        let _e2108 = phi_2767_;
-                                                        phi_2768_ = _e2104;
-                                                        phi_2769_ = _e2106;
-                                                        phi_2770_ = _e2108;
+                                                        let _e2104 = phi_2869_;
+                                                        let _e2106 = phi_2870_;
+                                                        let _e2108 = phi_2871_;
+                                                        phi_2872_ = _e2104;
+                                                        phi_2873_ = _e2106;
+                                                        phi_2874_ = _e2108;
                                                     }
-                                                    let _e2110 = phi_2768_;
-                                                    let _e2112 = phi_2769_;
-                                                    let _e2114 = phi_2770_;
-                                                    phi_2778_ = _e2110;
-                                                    phi_2779_ = select(_e2114, true, _e2112);
+                                                    let _e2110 = phi_2872_;
+                                                    let _e2112 = phi_2873_;
+                                                    let _e2114 = phi_2874_;
+                                                    phi_2882_ = _e2110;
+                                                    phi_2883_ = select(_e2114, true, _e2112);
                                                 } else {
-                                                    phi_2778_ = type_24();
-                                                    phi_2779_ = true;
+                                                    phi_2882_ = type_24();
+                                                    phi_2883_ = true;
                                                 }
-                                                let _e2117 = phi_2778_;
-                                                let _e2119 = phi_2779_;
+                                                let _e2117 = phi_2882_;
+                                                let _e2119 = phi_2883_;
                                                 if _e2119 {
-                                                    phi_2783_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2887_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2783_ = _e2117;
+                                                    phi_2887_ = _e2117;
                                                 }
-                                                let _e2121 = phi_2783_;
+                                                let _e2121 = phi_2887_;
                                                 if (_e2121.member_3 != 4294967295u) {
                                                     if (_e1270 != 4294967295u) {
                                                         if (_e2121.member < _e1204.member.member.member) {
-                                                            phi_2809_ = true;
+                                                            phi_2913_ = true;
                                                         } else {
                                                             if (_e2121.member == _e1204.member.member.member) {
-                                                                phi_2808_ = (_e2121.member_3 < _e1204.member.member.member_3);
+                                                                phi_2912_ = (_e2121.member_3 < _e1204.member.member.member_3);
                                                             } else {
-                                                                phi_2808_ = false;
+                                                                phi_2912_ = false;
                                                             }
-                                                            let _e2136 = phi_2808_;
-                                                            phi_2809_ = _e2136;
+                                                            let _e2136 = phi_2912_;
+                                                            phi_2913_ = _e2136;
                                                         }
-                                                        let _e2138 = phi_2809_;
+                                                        let _e2138 = phi_2913_;
                                                         if _e2138 {
-                                                            phi_2816_ = type_39(type_32(_e2121, _e2121.member), _e1231.member_1, _e1231.member_2);
+                                                            phi_2920_ = type_39(type_33(_e2121, _e2121.member), _e1231.member_1, _e1231.member_2);
                                                         } else {
-                                                            phi_2816_ = _e1231;
+                                                            phi_2920_ = _e1231;
                                                         }
-                                                        let _e2145 = phi_2816_;
-                                                        phi_2817_ = _e2145;
+                                                        let _e2145 = phi_2920_;
+                                                        phi_2921_ = _e2145;
                                                     } else {
-                                                        phi_2817_ = _e1231;
+                                                        phi_2921_ = _e1231;
                                                     }
-                                                    let _e2147 = phi_2817_;
-                                                    phi_2818_ = _e2147;
+                                                    let _e2147 = phi_2921_;
+                                                    phi_2922_ = _e2147;
                                                 } else {
-                                                    phi_2818_ = _e1231;
+                                                    phi_2922_ = _e1231;
                                                 }
-                                                let _e2149 = phi_2818_;
-                                                phi_1204_ = _e2149;
+                                                let _e2149 = phi_2922_;
+                                                phi_1222_ = _e2149;
                                             } else {
-                                                phi_1204_ = type_39();
+                                                phi_1222_ = type_39();
                                             }
-                                            let _e2151 = phi_1204_;
+                                            let _e2151 = phi_1222_;
                                             continue;
                                             continuing {
-                                                phi_1203_ = _e2151;
-                                                phi_1206_ = _e1219;
-                                                phi_4289_ = _e662;
+                                                phi_1221_ = _e2151;
+                                                phi_1224_ = _e1219;
+                                                phi_4425_ = _e662;
                                                 break if !(_e1225);
                                             }
                                         }
-                                        let _e2154 = phi_4289_;
-                                        phi_4496_ = _e2154;
+                                        let _e2154 = phi_4425_;
+                                        phi_4632_ = _e2154;
                                         if _e2154 {
                                             break;
                                         }
-                                        phi_4500_ = _e2154;
+                                        phi_4636_ = _e2154;
                                         let _e2366 = local_12;
-                                        phi_4061_ = _e2366;
-                                        phi_4062_ = _e704;
-                                        phi_4063_ = false;
-                                        phi_4064_ = _e708;
+                                        phi_4197_ = _e2366;
+                                        phi_4198_ = false;
+                                        phi_4199_ = _e706;
+                                        phi_4200_ = _e708;
                                     } else {
-                                        if (_e704.member_1 >= _e93) {
-                                            phi_3617_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e708.member_1 >= _e93) {
+                                            phi_3728_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e704.member_1 < _e93) {
+                                            if (_e708.member_1 < _e93) {
                                             } else {
-                                                phi_4496_ = true;
+                                                phi_4632_ = true;
                                                 break;
                                             }
-                                            let _e726 = (_e264 * 2u);
-                                            let _e728 = ((1u + _e726) % 7u);
-                                            if (_e728 < 7u) {
+                                            let _e720 = (_e264 * 2u);
+                                            let _e722 = ((1u + _e720) % 7u);
+                                            if (_e722 < 7u) {
                                             } else {
-                                                phi_4496_ = true;
+                                                phi_4632_ = true;
                                                 break;
                                             }
-                                            let _e733 = global_4.member[_e704.member_1][_e728];
-                                            let _e735 = ((_e726 + 2u) % 7u);
-                                            if (_e735 < 7u) {
+                                            let _e727 = global_4.member[_e708.member_1][_e722];
+                                            let _e729 = ((_e720 + 2u) % 7u);
+                                            if (_e729 < 7u) {
                                             } else {
-                                                phi_4496_ = true;
+                                                phi_4632_ = true;
                                                 break;
                                             }
-                                            let _e740 = global_4.member[_e704.member_1][_e735];
-                                            let _e741 = (_e263 * 2u);
-                                            let _e743 = ((1u + _e741) % 7u);
-                                            if (_e743 < 7u) {
+                                            let _e734 = global_4.member[_e708.member_1][_e729];
+                                            let _e735 = (_e263 * 2u);
+                                            let _e737 = ((1u + _e735) % 7u);
+                                            if (_e737 < 7u) {
                                             } else {
-                                                phi_4496_ = true;
+                                                phi_4632_ = true;
                                                 break;
                                             }
-                                            let _e748 = global_4.member[_e704.member_1][_e743];
-                                            let _e750 = ((_e741 + 2u) % 7u);
-                                            if (_e750 < 7u) {
+                                            let _e742 = global_4.member[_e708.member_1][_e737];
+                                            let _e744 = ((_e735 + 2u) % 7u);
+                                            if (_e744 < 7u) {
                                             } else {
-                                                phi_4496_ = true;
+                                                phi_4632_ = true;
                                                 break;
                                             }
-                                            let _e755 = global_4.member[_e704.member_1][_e750];
-                                            let _e756 = (_e265 * 2u);
-                                            let _e758 = ((1u + _e756) % 7u);
-                                            if (_e758 < 7u) {
+                                            let _e749 = global_4.member[_e708.member_1][_e744];
+                                            let _e750 = (_e265 * 2u);
+                                            let _e752 = ((1u + _e750) % 7u);
+                                            if (_e752 < 7u) {
                                             } else {
-                                                phi_4496_ = true;
+                                                phi_4632_ = true;
                                                 break;
                                             }
-                                            let _e763 = global_4.member[_e704.member_1][_e758];
-                                            let _e765 = ((_e756 + 2u) % 7u);
-                                            if (_e765 < 7u) {
+                                            let _e757 = global_4.member[_e708.member_1][_e752];
+                                            let _e759 = ((_e750 + 2u) % 7u);
+                                            if (_e759 < 7u) {
                                             } else {
-                                                phi_4496_ = true;
+                                                phi_4632_ = true;
                                                 break;
                                             }
-                                            let _e770 = global_4.member[_e704.member_1][_e765];
-                                            let _e793 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e794 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e795 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e797 = select(_e144, _e793, (_e793 > _e144));
-                                            let _e799 = select(_e144, _e794, (_e794 > _e144));
-                                            let _e801 = select(_e144, _e795, (_e795 > _e144));
-                                            let _e832 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e733 & 2097151u))) - 8388608f) * _e797));
-                                            let _e837 = (bitcast<i32>((_e733 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e840 = bitcast<f32>((_e832 & bitcast<u32>(_e837)));
-                                            let _e841 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e748 & 2097151u))) - 8388608f) * _e799));
-                                            let _e846 = (bitcast<i32>((_e748 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e849 = bitcast<f32>((_e841 & bitcast<u32>(_e846)));
-                                            let _e850 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e763 & 2097151u))) - 8388608f) * _e801));
-                                            let _e855 = (bitcast<i32>((_e763 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e858 = bitcast<f32>((_e850 & bitcast<u32>(_e855)));
-                                            let _e862 = bitcast<f32>((_e832 & bitcast<u32>(~(_e837))));
-                                            let _e866 = bitcast<f32>((_e841 & bitcast<u32>(~(_e846))));
-                                            let _e870 = bitcast<f32>((_e850 & bitcast<u32>(~(_e855))));
-                                            let _e871 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e740 & 2097151u))) - 8388608f) * _e797));
-                                            let _e876 = (bitcast<i32>((_e740 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e879 = bitcast<f32>((_e871 & bitcast<u32>(_e876)));
-                                            let _e880 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e755 & 2097151u))) - 8388608f) * _e799));
-                                            let _e885 = (bitcast<i32>((_e755 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e888 = bitcast<f32>((_e880 & bitcast<u32>(_e885)));
-                                            let _e889 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e770 & 2097151u))) - 8388608f) * _e801));
-                                            let _e894 = (bitcast<i32>((_e770 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e897 = bitcast<f32>((_e889 & bitcast<u32>(_e894)));
-                                            let _e901 = bitcast<f32>((_e871 & bitcast<u32>(~(_e876))));
-                                            let _e905 = bitcast<f32>((_e880 & bitcast<u32>(~(_e885))));
-                                            let _e909 = bitcast<f32>((_e889 & bitcast<u32>(~(_e894))));
-                                            let _e910 = (_e704.member.member.x + _e840);
-                                            let _e911 = (_e704.member.member.y + _e849);
-                                            let _e912 = (_e704.member.member.z + _e858);
-                                            let _e915 = (_e704.member.member_1.x - _e879);
-                                            let _e916 = (_e704.member.member_1.y - _e888);
-                                            let _e917 = (_e704.member.member_1.z - _e897);
-                                            let _e936 = (_e915 - _e910);
-                                            let _e937 = (_e916 - _e911);
-                                            let _e938 = (_e917 - _e912);
-                                            let _e940 = select(_e937, _e936, (_e936 > _e937));
-                                            let _e942 = select(_e938, _e940, (_e940 > _e938));
-                                            if (_e942 < (1024f * _e144)) {
-                                                phi_3318_ = 0u;
+                                            let _e764 = global_4.member[_e708.member_1][_e759];
+                                            let _e787 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.x - _e708.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e788 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.y - _e708.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e789 = (bitcast<f32>((bitcast<u32>((_e708.member.member_1.z - _e708.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e791 = select(_e144, _e787, (_e787 > _e144));
+                                            let _e793 = select(_e144, _e788, (_e788 > _e144));
+                                            let _e795 = select(_e144, _e789, (_e789 > _e144));
+                                            let _e826 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 2097151u))) - 8388608f) * _e791));
+                                            let _e831 = (bitcast<i32>((_e727 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e834 = bitcast<f32>((_e826 & bitcast<u32>(_e831)));
+                                            let _e835 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e742 & 2097151u))) - 8388608f) * _e793));
+                                            let _e840 = (bitcast<i32>((_e742 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e843 = bitcast<f32>((_e835 & bitcast<u32>(_e840)));
+                                            let _e844 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e757 & 2097151u))) - 8388608f) * _e795));
+                                            let _e849 = (bitcast<i32>((_e757 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e852 = bitcast<f32>((_e844 & bitcast<u32>(_e849)));
+                                            let _e856 = bitcast<f32>((_e826 & bitcast<u32>(~(_e831))));
+                                            let _e860 = bitcast<f32>((_e835 & bitcast<u32>(~(_e840))));
+                                            let _e864 = bitcast<f32>((_e844 & bitcast<u32>(~(_e849))));
+                                            let _e865 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e734 & 2097151u))) - 8388608f) * _e791));
+                                            let _e870 = (bitcast<i32>((_e734 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e873 = bitcast<f32>((_e865 & bitcast<u32>(_e870)));
+                                            let _e874 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e749 & 2097151u))) - 8388608f) * _e793));
+                                            let _e879 = (bitcast<i32>((_e749 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e882 = bitcast<f32>((_e874 & bitcast<u32>(_e879)));
+                                            let _e883 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e764 & 2097151u))) - 8388608f) * _e795));
+                                            let _e888 = (bitcast<i32>((_e764 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e891 = bitcast<f32>((_e883 & bitcast<u32>(_e888)));
+                                            let _e895 = bitcast<f32>((_e865 & bitcast<u32>(~(_e870))));
+                                            let _e899 = bitcast<f32>((_e874 & bitcast<u32>(~(_e879))));
+                                            let _e903 = bitcast<f32>((_e883 & bitcast<u32>(~(_e888))));
+                                            let _e904 = (_e708.member.member.x + _e834);
+                                            let _e905 = (_e708.member.member.y + _e843);
+                                            let _e906 = (_e708.member.member.z + _e852);
+                                            let _e909 = (_e708.member.member_1.x - _e873);
+                                            let _e910 = (_e708.member.member_1.y - _e882);
+                                            let _e911 = (_e708.member.member_1.z - _e891);
+                                            let _e930 = (_e909 - _e904);
+                                            let _e931 = (_e910 - _e905);
+                                            let _e932 = (_e911 - _e906);
+                                            let _e934 = select(_e931, _e930, (_e930 > _e931));
+                                            let _e936 = select(_e932, _e934, (_e934 > _e932));
+                                            if (_e936 < (1024f * _e144)) {
+                                                phi_3429_ = 0u;
                                             } else {
-                                                phi_3318_ = select(2u, 1u, (_e942 < (2097152f * _e144)));
+                                                phi_3429_ = select(2u, 1u, (_e936 < (2097152f * _e144)));
                                             }
-                                            let _e949 = phi_3318_;
-                                            switch bitcast<i32>(_e949) {
+                                            let _e943 = phi_3429_;
+                                            switch bitcast<i32>(_e943) {
                                                 case 0: {
-                                                    phi_3324_ = 1u;
+                                                    phi_3435_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3324_ = 2u;
+                                                    phi_3435_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3324_ = 3u;
+                                                    phi_3435_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3324_ = u32();
+                                                    phi_3435_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e952 = phi_3324_;
-                                            let _e958 = global_4.member[_e704.member_1][0u];
-                                            let _e962 = global_4.member[_e704.member_1][2u];
-                                            let _e966 = global_4.member[_e704.member_1][4u];
-                                            let _e970 = global_4.member[_e704.member_1][6u];
-                                            let _e982 = (((_e962 >> bitcast<u32>(22i)) | ((_e966 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e970 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e983 = (_e958 & 268435455u);
-                                            let _e984 = (_e982 & 268435455u);
-                                            let _e987 = ((_e958 >> bitcast<u32>(28u)) & 7u);
-                                            let _e995 = ((_e958 >> bitcast<u32>(31i)) | (((_e982 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e996 = (_e987 != 0u);
-                                            if (_e987 == 0u) {
-                                                phi_3579_ = _e983;
+                                            let _e946 = phi_3435_;
+                                            let _e952 = global_4.member[_e708.member_1][0u];
+                                            let _e956 = global_4.member[_e708.member_1][2u];
+                                            let _e960 = global_4.member[_e708.member_1][4u];
+                                            let _e964 = global_4.member[_e708.member_1][6u];
+                                            let _e976 = (((_e956 >> bitcast<u32>(22i)) | ((_e960 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e964 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e977 = (_e952 & 268435455u);
+                                            let _e978 = (_e976 & 268435455u);
+                                            let _e981 = ((_e952 >> bitcast<u32>(28u)) & 7u);
+                                            let _e989 = ((_e952 >> bitcast<u32>(31i)) | (((_e976 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e990 = (_e981 != 0u);
+                                            if (_e981 == 0u) {
+                                                phi_3690_ = _e977;
                                             } else {
-                                                if (_e987 == 7u) {
-                                                    phi_3578_ = 2147483648u;
+                                                if (_e981 == 7u) {
+                                                    phi_3689_ = 2147483648u;
                                                 } else {
-                                                    phi_3578_ = ((2147483648u | (_e987 << bitcast<u32>(28u))) | (_e984 & 268435455u));
+                                                    phi_3689_ = ((2147483648u | (_e981 << bitcast<u32>(28u))) | (_e978 & 268435455u));
                                                 }
-                                                let _e1005 = phi_3578_;
-                                                phi_3579_ = _e1005;
+                                                let _e999 = phi_3689_;
+                                                phi_3690_ = _e999;
                                             }
-                                            let _e1007 = phi_3579_;
-                                            if _e996 {
-                                                let _e1008 = (_e987 != 7u);
-                                                if _e1008 {
-                                                    phi_3589_ = (_e984 + (_e987 * ((3u * _e952) + 1u)));
+                                            let _e1001 = phi_3690_;
+                                            if _e990 {
+                                                let _e1002 = (_e981 != 7u);
+                                                if _e1002 {
+                                                    phi_3700_ = (_e978 + (_e981 * ((3u * _e946) + 1u)));
                                                 } else {
-                                                    phi_3589_ = u32();
+                                                    phi_3700_ = u32();
                                                 }
-                                                let _e1012 = phi_3589_;
-                                                phi_3591_ = _e1012;
-                                                phi_3592_ = select(true, false, _e1008);
+                                                let _e1006 = phi_3700_;
+                                                phi_3702_ = _e1006;
+                                                phi_3703_ = select(true, false, _e1002);
                                             } else {
-                                                phi_3591_ = u32();
-                                                phi_3592_ = true;
+                                                phi_3702_ = u32();
+                                                phi_3703_ = true;
                                             }
-                                            let _e1015 = phi_3591_;
-                                            let _e1017 = phi_3592_;
-                                            if (_e995 == 0u) {
-                                                phi_3613_ = (_e983 + select(0u, 1u, !(_e996)));
+                                            let _e1009 = phi_3702_;
+                                            let _e1011 = phi_3703_;
+                                            if (_e989 == 0u) {
+                                                phi_3724_ = (_e977 + select(0u, 1u, !(_e990)));
                                             } else {
-                                                if (_e995 == 7u) {
-                                                    phi_3612_ = 2147483648u;
+                                                if (_e989 == 7u) {
+                                                    phi_3723_ = 2147483648u;
                                                 } else {
-                                                    phi_3612_ = ((2147483648u | (_e995 << bitcast<u32>(28u))) | (select(_e1015, _e984, _e1017) & 268435455u));
+                                                    phi_3723_ = ((2147483648u | (_e989 << bitcast<u32>(28u))) | (select(_e1009, _e978, _e1011) & 268435455u));
                                                 }
-                                                let _e1030 = phi_3612_;
-                                                phi_3613_ = _e1030;
+                                                let _e1024 = phi_3723_;
+                                                phi_3724_ = _e1024;
                                             }
-                                            let _e1032 = phi_3613_;
-                                            phi_3617_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e910, (_e704.member.member.x + _e862), _e915, (_e704.member.member_1.x - _e901)), vec4<f32>(_e911, (_e704.member.member.y + _e866), _e916, (_e704.member.member_1.y - _e905)), vec4<f32>(_e912, (_e704.member.member.z + _e870), _e917, (_e704.member.member_1.z - _e909))), type_50(type_28((_e704.member.member + vec4<f32>(_e840, _e849, _e858, 0f)), (_e704.member.member_1 - vec4<f32>(_e879, _e888, _e897, 0f))), _e1007), type_50(type_28((_e704.member.member + vec4<f32>(_e862, _e866, _e870, 0f)), (_e704.member.member_1 - vec4<f32>(_e901, _e905, _e909, 0f))), _e1032));
+                                            let _e1026 = phi_3724_;
+                                            phi_3728_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e904, (_e708.member.member.x + _e856), _e909, (_e708.member.member_1.x - _e895)), vec4<f32>(_e905, (_e708.member.member.y + _e860), _e910, (_e708.member.member_1.y - _e899)), vec4<f32>(_e906, (_e708.member.member.z + _e864), _e911, (_e708.member.member_1.z - _e903))), type_50(type_28((_e708.member.member + vec4<f32>(_e834, _e843, _e852, 0f)), (_e708.member.member_1 - vec4<f32>(_e873, _e882, _e891, 0f))), _e1001), type_50(type_28((_e708.member.member + vec4<f32>(_e856, _e860, _e864, 0f)), (_e708.member.member_1 - vec4<f32>(_e895, _e899, _e903, 0f))), _e1026));
                                         }
-                                        let _e1037 = phi_3617_;
-                                        let _e1050 = ((_e1037.member[0].x - _e366) * _e371);
-                                        let _e1051 = ((_e1037.member[0].y - _e366) * _e371);
-                                        let _e1052 = ((_e1037.member[0].z - _e367) * _e371);
-                                        let _e1053 = ((_e1037.member[0].w - _e367) * _e371);
-                                        let _e1063 = ((_e1037.member[1].x - _e434) * _e439);
-                                        let _e1064 = ((_e1037.member[1].y - _e434) * _e439);
-                                        let _e1065 = ((_e1037.member[1].z - _e435) * _e439);
-                                        let _e1066 = ((_e1037.member[1].w - _e435) * _e439);
-                                        let _e1076 = ((_e1037.member[2].x - _e502) * _e507);
-                                        let _e1077 = ((_e1037.member[2].y - _e502) * _e507);
-                                        let _e1078 = ((_e1037.member[2].z - _e503) * _e507);
-                                        let _e1079 = ((_e1037.member[2].w - _e503) * _e507);
+                                        let _e1031 = phi_3728_;
+                                        let _e1050 = ((_e1031.member[0].x - _e366) * _e371);
+                                        let _e1051 = ((_e1031.member[0].y - _e366) * _e371);
+                                        let _e1052 = ((_e1031.member[0].z - _e367) * _e371);
+                                        let _e1053 = ((_e1031.member[0].w - _e367) * _e371);
+                                        let _e1063 = ((_e1031.member[1].x - _e434) * _e439);
+                                        let _e1064 = ((_e1031.member[1].y - _e434) * _e439);
+                                        let _e1065 = ((_e1031.member[1].z - _e435) * _e439);
+                                        let _e1066 = ((_e1031.member[1].w - _e435) * _e439);
+                                        let _e1076 = ((_e1031.member[2].x - _e502) * _e507);
+                                        let _e1077 = ((_e1031.member[2].y - _e502) * _e507);
+                                        let _e1078 = ((_e1031.member[2].z - _e503) * _e507);
+                                        let _e1079 = ((_e1031.member[2].w - _e503) * _e507);
                                         let _e1081 = select(_e1078, _e1076, (_e1076 < _e1078));
                                         let _e1083 = select(_e1079, _e1077, (_e1077 < _e1079));
                                         let _e1085 = select(_e1078, _e1076, (_e1076 > _e1078));
@@ -1713,188 +1713,188 @@ fn function_() {
                                         if _e1138 {
                                             if _e1139 {
                                                 if _e1140 {
-                                                    phi_3961_ = _e1037.member_2;
+                                                    phi_4093_ = _e1031.member_2;
                                                 } else {
-                                                    phi_3961_ = _e1037.member_1;
+                                                    phi_4093_ = _e1031.member_1;
                                                 }
-                                                let _e1144 = phi_3961_;
-                                                let _e1166 = (_e708 % 128u);
+                                                let _e1144 = phi_4093_;
+                                                let _e1166 = (_e706 % 128u);
                                                 let _e1167 = (_e1166 < 128u);
                                                 if _e1167 {
                                                 } else {
-                                                    phi_4496_ = true;
+                                                    phi_4632_ = true;
                                                     break;
                                                 }
                                                 local_8[_e1166] = _e1144.member_1;
                                                 if _e1167 {
                                                 } else {
-                                                    phi_4496_ = true;
+                                                    phi_4632_ = true;
                                                     break;
                                                 }
                                                 local_7[_e1166] = _e1144.member.member.x;
                                                 if _e1167 {
                                                 } else {
-                                                    phi_4496_ = true;
+                                                    phi_4632_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1166] = _e1144.member.member.y;
                                                 if _e1167 {
                                                 } else {
-                                                    phi_4496_ = true;
+                                                    phi_4632_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1166] = _e1144.member.member.z;
                                                 if _e1167 {
                                                 } else {
-                                                    phi_4496_ = true;
+                                                    phi_4632_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1166] = _e1144.member.member_1.x;
                                                 if _e1167 {
                                                 } else {
-                                                    phi_4496_ = true;
+                                                    phi_4632_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1166] = _e1144.member.member_1.y;
                                                 if _e1167 {
                                                 } else {
-                                                    phi_4496_ = true;
+                                                    phi_4632_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1166] = _e1144.member.member_1.z;
                                                 if _e1167 {
                                                 } else {
-                                                    phi_4496_ = true;
+                                                    phi_4632_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1166] = select(_e1133, _e1131, (_e1131 > _e1133));
+                                                local_9[_e1166] = select(_e1133, _e1131, !(_e1140));
                                                 if _e1140 {
-                                                    phi_4038_ = _e1037.member_1;
+                                                    phi_4170_ = _e1031.member_1;
                                                 } else {
-                                                    phi_4038_ = _e1037.member_2;
+                                                    phi_4170_ = _e1031.member_2;
                                                 }
-                                                let _e1180 = phi_4038_;
-                                                phi_4039_ = _e1180;
-                                                phi_4040_ = (_e708 + 1u);
+                                                let _e1180 = phi_4170_;
+                                                phi_4171_ = (_e706 + 1u);
+                                                phi_4172_ = _e1180;
                                             } else {
-                                                phi_4039_ = type_50();
-                                                phi_4040_ = u32();
+                                                phi_4171_ = u32();
+                                                phi_4172_ = type_50();
                                             }
-                                            let _e1182 = phi_4039_;
-                                            let _e1184 = phi_4040_;
-                                            phi_4042_ = _e1182;
-                                            phi_4043_ = _e1184;
-                                            phi_4044_ = select(true, false, _e1139);
+                                            let _e1182 = phi_4171_;
+                                            let _e1184 = phi_4172_;
+                                            phi_4174_ = _e1182;
+                                            phi_4175_ = _e1184;
+                                            phi_4176_ = select(true, false, _e1139);
                                         } else {
-                                            phi_4042_ = type_50();
-                                            phi_4043_ = u32();
-                                            phi_4044_ = true;
+                                            phi_4174_ = u32();
+                                            phi_4175_ = type_50();
+                                            phi_4176_ = true;
                                         }
-                                        let _e1187 = phi_4042_;
-                                        let _e1189 = phi_4043_;
-                                        let _e1191 = phi_4044_;
+                                        let _e1187 = phi_4174_;
+                                        let _e1189 = phi_4175_;
+                                        let _e1191 = phi_4176_;
                                         if _e1191 {
                                             if _e1138 {
-                                                phi_4053_ = _e1037.member_1;
+                                                phi_4185_ = _e1031.member_1;
                                             } else {
-                                                phi_4053_ = _e1037.member_2;
+                                                phi_4185_ = _e1031.member_2;
                                             }
-                                            let _e1195 = phi_4053_;
-                                            phi_4058_ = _e1195;
-                                            phi_4059_ = select(_e1139, true, _e1138);
+                                            let _e1195 = phi_4185_;
+                                            phi_4190_ = select(_e1139, true, _e1138);
+                                            phi_4192_ = _e1195;
                                         } else {
-                                            phi_4058_ = _e1187;
-                                            phi_4059_ = _e706;
+                                            phi_4190_ = _e704;
+                                            phi_4192_ = _e1189;
                                         }
-                                        let _e1198 = phi_4058_;
-                                        let _e1200 = phi_4059_;
-                                        phi_4500_ = _e662;
-                                        phi_4061_ = type_39(_e664.member, (_e664.member_1 + 1u), _e664.member_2);
-                                        phi_4062_ = _e1198;
-                                        phi_4063_ = _e1200;
-                                        phi_4064_ = select(_e1189, _e708, _e1191);
+                                        let _e1198 = phi_4190_;
+                                        let _e1200 = phi_4192_;
+                                        phi_4636_ = _e662;
+                                        phi_4197_ = type_39(_e664.member, (_e664.member_1 + 1u), _e664.member_2);
+                                        phi_4198_ = _e1198;
+                                        phi_4199_ = select(_e1187, _e706, _e1191);
+                                        phi_4200_ = _e1200;
                                     }
-                                    let _e2156 = phi_4500_;
-                                    let _e2158 = phi_4061_;
-                                    let _e2160 = phi_4062_;
-                                    let _e2162 = phi_4063_;
-                                    let _e2164 = phi_4064_;
-                                    phi_4499_ = _e2156;
-                                    phi_4065_ = _e2158;
-                                    phi_4066_ = _e2160;
-                                    phi_4067_ = (_e668 - 1u);
-                                    phi_4068_ = _e2162;
-                                    phi_4069_ = _e2164;
+                                    let _e2156 = phi_4636_;
+                                    let _e2158 = phi_4197_;
+                                    let _e2160 = phi_4198_;
+                                    let _e2162 = phi_4199_;
+                                    let _e2164 = phi_4200_;
+                                    phi_4635_ = _e2156;
+                                    phi_4201_ = _e2158;
+                                    phi_4202_ = _e2160;
+                                    phi_4203_ = (_e668 - 1u);
+                                    phi_4204_ = _e2162;
+                                    phi_4205_ = _e2164;
                                 } else {
-                                    phi_4499_ = _e662;
-                                    phi_4065_ = _e664;
-                                    phi_4066_ = _e704;
-                                    phi_4067_ = _e668;
-                                    phi_4068_ = _e706;
-                                    phi_4069_ = _e708;
+                                    phi_4635_ = _e662;
+                                    phi_4201_ = _e664;
+                                    phi_4202_ = _e704;
+                                    phi_4203_ = _e668;
+                                    phi_4204_ = _e706;
+                                    phi_4205_ = _e708;
                                 }
-                                let _e2166 = phi_4499_;
-                                let _e2168 = phi_4065_;
-                                let _e2170 = phi_4066_;
-                                let _e2172 = phi_4067_;
-                                let _e2174 = phi_4068_;
-                                let _e2176 = phi_4069_;
-                                phi_4498_ = _e2166;
-                                phi_4070_ = _e2168;
-                                phi_4071_ = _e2170;
-                                phi_4072_ = _e2172;
-                                phi_4073_ = _e2174;
-                                phi_4074_ = _e2176;
+                                let _e2166 = phi_4635_;
+                                let _e2168 = phi_4201_;
+                                let _e2170 = phi_4202_;
+                                let _e2172 = phi_4203_;
+                                let _e2174 = phi_4204_;
+                                let _e2176 = phi_4205_;
+                                phi_4634_ = _e2166;
+                                phi_4206_ = _e2168;
+                                phi_4207_ = _e2170;
+                                phi_4208_ = _e2172;
+                                phi_4209_ = _e2174;
+                                phi_4210_ = _e2176;
                             } else {
-                                phi_4498_ = _e662;
-                                phi_4070_ = type_39();
-                                phi_4071_ = type_50();
-                                phi_4072_ = u32();
-                                phi_4073_ = bool();
-                                phi_4074_ = u32();
+                                phi_4634_ = _e662;
+                                phi_4206_ = type_39();
+                                phi_4207_ = bool();
+                                phi_4208_ = u32();
+                                phi_4209_ = u32();
+                                phi_4210_ = type_50();
                             }
-                            let _e2178 = phi_4498_;
-                            let _e2180 = phi_4070_;
-                            let _e2182 = phi_4071_;
-                            let _e2184 = phi_4072_;
-                            let _e2186 = phi_4073_;
-                            let _e2188 = phi_4074_;
-                            phi_4497_ = _e2178;
-                            phi_1077_ = _e2180;
-                            phi_1080_ = _e2182;
-                            phi_1082_ = _e2184;
-                            phi_1084_ = _e2186;
-                            phi_1086_ = _e2188;
-                            phi_4075_ = _e676;
+                            let _e2178 = phi_4634_;
+                            let _e2180 = phi_4206_;
+                            let _e2182 = phi_4207_;
+                            let _e2184 = phi_4208_;
+                            let _e2186 = phi_4209_;
+                            let _e2188 = phi_4210_;
+                            phi_4633_ = _e2178;
+                            phi_1095_ = _e2180;
+                            phi_1098_ = _e2182;
+                            phi_1100_ = _e2184;
+                            phi_1102_ = _e2186;
+                            phi_1104_ = _e2188;
+                            phi_4211_ = _e676;
                         } else {
-                            phi_4497_ = _e662;
-                            phi_1077_ = type_39();
-                            phi_1080_ = type_50();
-                            phi_1082_ = u32();
-                            phi_1084_ = bool();
-                            phi_1086_ = u32();
-                            phi_4075_ = false;
+                            phi_4633_ = _e662;
+                            phi_1095_ = type_39();
+                            phi_1098_ = bool();
+                            phi_1100_ = u32();
+                            phi_1102_ = u32();
+                            phi_1104_ = type_50();
+                            phi_4211_ = false;
                         }
-                        let _e2190 = phi_4497_;
-                        let _e2192 = phi_1077_;
-                        let _e2194 = phi_1080_;
-                        let _e2196 = phi_1082_;
-                        let _e2198 = phi_1084_;
-                        let _e2200 = phi_1086_;
-                        let _e2202 = phi_4075_;
+                        let _e2190 = phi_4633_;
+                        let _e2192 = phi_1095_;
+                        let _e2194 = phi_1098_;
+                        let _e2196 = phi_1100_;
+                        let _e2198 = phi_1102_;
+                        let _e2200 = phi_1104_;
+                        let _e2202 = phi_4211_;
                         continue;
                         continuing {
-                            phi_4295_ = _e2190;
-                            phi_1076_ = _e2192;
-                            phi_1079_ = _e2194;
-                            phi_1081_ = _e2196;
-                            phi_1083_ = _e2198;
-                            phi_1085_ = _e2200;
-                            phi_4496_ = _e2190;
+                            phi_4431_ = _e2190;
+                            phi_1094_ = _e2192;
+                            phi_1097_ = _e2194;
+                            phi_1099_ = _e2196;
+                            phi_1101_ = _e2198;
+                            phi_1103_ = _e2200;
+                            phi_4632_ = _e2190;
                             break if !(_e2202);
                         }
                     }
-                    let _e2205 = phi_4496_;
+                    let _e2205 = phi_4632_;
                     if _e2205 {
                         break;
                     }

@@ -89,169 +89,169 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_420_: i32;
-    var phi_421_: i32;
-    var phi_431_: bool;
-    var phi_441_: u32;
-    var phi_442_: u32;
-    var phi_444_: bool;
-    var phi_449_: u32;
-    var phi_461_: i32;
-    var phi_481_: i32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_545_: f32;
-    var phi_551_: f32;
-    var phi_603_: f32;
+    var phi_430_: i32;
+    var phi_431_: i32;
+    var phi_441_: bool;
+    var phi_451_: u32;
+    var phi_452_: u32;
+    var phi_454_: bool;
+    var phi_459_: u32;
+    var phi_472_: i32;
+    var phi_492_: i32;
+    var phi_510_: f32;
+    var phi_516_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
     var phi_614_: f32;
-    var phi_623_: f32;
-    var phi_629_: f32;
-    var phi_669_: f32;
-    var phi_675_: f32;
-    var phi_727_: f32;
-    var phi_738_: f32;
-    var phi_747_: f32;
-    var phi_753_: f32;
-    var phi_793_: f32;
-    var phi_799_: f32;
-    var phi_851_: f32;
-    var phi_862_: f32;
-    var phi_917_: i32;
-    var phi_939_: u32;
-    var phi_940_: u32;
-    var phi_977_: i32;
-    var phi_999_: u32;
-    var phi_1000_: u32;
-    var phi_1008_: f32;
-    var phi_1009_: f32;
-    var phi_3685_: bool;
-    var phi_3641_: f32;
-    var phi_1135_: type_51;
-    var phi_1138_: u32;
-    var phi_1140_: bool;
-    var phi_1142_: u32;
-    var phi_1153_: bool;
-    var phi_1240_: type_51;
-    var phi_1241_: bool;
-    var phi_1242_: u32;
-    var phi_2357_: type_44;
-    var phi_3214_: type_51;
-    var phi_3291_: type_51;
-    var phi_3292_: type_51;
-    var phi_3293_: u32;
-    var phi_3295_: type_51;
-    var phi_3296_: u32;
-    var phi_3297_: bool;
-    var phi_3304_: type_51;
-    var phi_3309_: type_51;
-    var phi_3310_: bool;
-    var phi_3682_: bool;
-    var phi_3672_: f32;
-    var phi_1260_: type_4;
-    var phi_1261_: type_4;
-    var phi_1284_: type_4;
-    var phi_1305_: u32;
-    var phi_1394_: array<array<f32, 3>, 3>;
-    var phi_1512_: bool;
-    var phi_1541_: bool;
-    var phi_1942_: f32;
-    var phi_1943_: f32;
-    var phi_1944_: f32;
-    var phi_1945_: f32;
-    var phi_1946_: vec3<f32>;
-    var phi_1947_: vec3<f32>;
-    var phi_1948_: vec3<f32>;
-    var phi_1949_: vec3<f32>;
-    var phi_1980_: bool;
-    var phi_1989_: vec3<f32>;
-    var phi_2154_: f32;
-    var phi_2156_: f32;
-    var phi_2157_: bool;
-    var phi_2177_: f32;
-    var phi_2178_: f32;
-    var phi_2201_: type_22;
-    var phi_2203_: type_22;
-    var phi_2204_: bool;
-    var phi_2208_: type_22;
-    var phi_2209_: type_22;
-    var phi_2210_: type_22;
-    var phi_2211_: bool;
-    var phi_2215_: type_22;
-    var phi_2216_: bool;
-    var phi_2217_: type_22;
-    var phi_2218_: bool;
-    var phi_2219_: bool;
-    var phi_2220_: type_22;
-    var phi_2221_: bool;
-    var phi_2222_: bool;
-    var phi_2230_: type_22;
-    var phi_2231_: bool;
-    var phi_2235_: type_22;
-    var phi_2247_: type_4;
-    var phi_2250_: type_22;
-    var phi_2248_: type_4;
-    var phi_2273_: type_4;
-    var phi_2305_: bool;
+    var phi_626_: f32;
+    var phi_635_: f32;
+    var phi_641_: f32;
+    var phi_681_: f32;
+    var phi_687_: f32;
+    var phi_739_: f32;
+    var phi_751_: f32;
+    var phi_760_: f32;
+    var phi_766_: f32;
+    var phi_806_: f32;
+    var phi_812_: f32;
+    var phi_864_: f32;
+    var phi_876_: f32;
+    var phi_931_: i32;
+    var phi_953_: u32;
+    var phi_954_: u32;
+    var phi_991_: i32;
+    var phi_1013_: u32;
+    var phi_1014_: u32;
+    var phi_1022_: f32;
+    var phi_1023_: f32;
+    var phi_3813_: bool;
+    var phi_3770_: f32;
+    var phi_1161_: bool;
+    var phi_1164_: u32;
+    var phi_1166_: u32;
+    var phi_1168_: type_51;
+    var phi_1179_: bool;
+    var phi_1266_: bool;
+    var phi_1267_: u32;
+    var phi_1268_: type_51;
+    var phi_2452_: type_44;
+    var phi_3339_: type_51;
+    var phi_3416_: type_51;
+    var phi_3417_: u32;
+    var phi_3418_: type_51;
+    var phi_3420_: u32;
+    var phi_3421_: type_51;
+    var phi_3422_: bool;
+    var phi_3429_: type_51;
+    var phi_3434_: bool;
+    var phi_3436_: type_51;
+    var phi_3810_: bool;
+    var phi_3800_: f32;
+    var phi_1286_: type_4;
+    var phi_1287_: type_4;
+    var phi_1310_: type_4;
+    var phi_1331_: u32;
+    var phi_1423_: array<array<f32, 3>, 3>;
+    var phi_1576_: bool;
+    var phi_1605_: bool;
+    var phi_2024_: f32;
+    var phi_2025_: f32;
+    var phi_2026_: f32;
+    var phi_2027_: f32;
+    var phi_2028_: vec3<f32>;
+    var phi_2029_: vec3<f32>;
+    var phi_2030_: vec3<f32>;
+    var phi_2031_: vec3<f32>;
+    var phi_2068_: bool;
+    var phi_2077_: vec3<f32>;
+    var phi_2242_: f32;
+    var phi_2244_: f32;
+    var phi_2245_: bool;
+    var phi_2265_: f32;
+    var phi_2266_: f32;
+    var phi_2289_: type_22;
+    var phi_2291_: type_22;
+    var phi_2292_: bool;
+    var phi_2296_: type_22;
+    var phi_2297_: type_22;
+    var phi_2298_: type_22;
+    var phi_2299_: bool;
+    var phi_2303_: type_22;
+    var phi_2304_: bool;
+    var phi_2305_: type_22;
     var phi_2306_: bool;
-    var phi_2327_: type_22;
-    var phi_2251_: type_22;
-    var phi_3673_: bool;
+    var phi_2307_: bool;
+    var phi_2308_: type_22;
+    var phi_2309_: bool;
+    var phi_2310_: bool;
+    var phi_2318_: type_22;
+    var phi_2319_: bool;
+    var phi_2323_: type_22;
+    var phi_2335_: type_4;
+    var phi_2338_: type_22;
+    var phi_2336_: type_4;
+    var phi_2361_: type_4;
+    var phi_2393_: bool;
+    var phi_2394_: bool;
+    var phi_2415_: type_22;
+    var phi_2339_: type_22;
+    var phi_3801_: bool;
+    var phi_4177_: f32;
+    var phi_4176_: f32;
+    var phi_3964_: bool;
+    var phi_4175_: f32;
+    var phi_3963_: bool;
+    var phi_4174_: f32;
+    var phi_3962_: bool;
+    var phi_4086_: f32;
+    var phi_3961_: bool;
+    var phi_4051_: f32;
+    var phi_3970_: bool;
+    var phi_3440_: bool;
+    var phi_3441_: u32;
+    var phi_3442_: type_51;
+    var phi_4050_: f32;
+    var phi_3969_: bool;
+    var phi_3443_: bool;
+    var phi_3444_: u32;
+    var phi_3445_: u32;
+    var phi_3446_: type_51;
     var phi_4049_: f32;
+    var phi_3968_: bool;
+    var phi_3447_: bool;
+    var phi_3448_: u32;
+    var phi_3449_: u32;
+    var phi_3450_: type_51;
     var phi_4048_: f32;
-    var phi_3836_: bool;
-    var phi_4047_: f32;
-    var phi_3835_: bool;
-    var phi_4046_: f32;
-    var phi_3834_: bool;
-    var phi_3958_: f32;
-    var phi_3833_: bool;
-    var phi_3923_: f32;
-    var phi_3842_: bool;
-    var phi_3312_: type_51;
-    var phi_3313_: bool;
-    var phi_3314_: u32;
-    var phi_3922_: f32;
-    var phi_3841_: bool;
-    var phi_3315_: type_51;
-    var phi_3316_: u32;
-    var phi_3317_: bool;
-    var phi_3318_: u32;
-    var phi_3921_: f32;
-    var phi_3840_: bool;
-    var phi_3319_: type_51;
-    var phi_3320_: u32;
-    var phi_3321_: bool;
-    var phi_3322_: u32;
-    var phi_3920_: f32;
-    var phi_3839_: bool;
-    var phi_1136_: type_51;
-    var phi_1139_: u32;
-    var phi_1141_: bool;
-    var phi_1143_: u32;
-    var phi_3323_: bool;
-    var phi_3838_: bool;
-    var phi_3330_: type_4;
-    var phi_3331_: type_4;
-    var phi_3354_: type_4;
-    var phi_3406_: f32;
-    var phi_3408_: f32;
-    var phi_3409_: bool;
-    var phi_3410_: f32;
-    var phi_3411_: bool;
-    var phi_3550_: u32;
-    var phi_3568_: bool;
-    var phi_3571_: bool;
-    var phi_3584_: f32;
-    var phi_3585_: f32;
-    var phi_3590_: f32;
-    var phi_3591_: f32;
-    var phi_3592_: bool;
-    var phi_3600_: f32;
-    var phi_3426_: f32;
-    var phi_3427_: f32;
-    var phi_3439_: f32;
-    var phi_3444_: type_22;
-    var phi_3902_: bool;
+    var phi_3967_: bool;
+    var phi_1162_: bool;
+    var phi_1165_: u32;
+    var phi_1167_: u32;
+    var phi_1169_: type_51;
+    var phi_3451_: bool;
+    var phi_3966_: bool;
+    var phi_3458_: type_4;
+    var phi_3459_: type_4;
+    var phi_3482_: type_4;
+    var phi_3534_: f32;
+    var phi_3536_: f32;
+    var phi_3537_: bool;
+    var phi_3538_: f32;
+    var phi_3539_: bool;
+    var phi_3678_: u32;
+    var phi_3696_: bool;
+    var phi_3699_: bool;
+    var phi_3712_: f32;
+    var phi_3713_: f32;
+    var phi_3718_: f32;
+    var phi_3719_: f32;
+    var phi_3720_: bool;
+    var phi_3728_: f32;
+    var phi_3554_: f32;
+    var phi_3555_: f32;
+    var phi_3567_: f32;
+    var phi_3572_: type_22;
+    var phi_4030_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -303,211 +303,211 @@ fn function_() {
                     if _e214 {
                         let _e217 = (bitcast<u32>(bitcast<f32>(_e189)) & 2147483647u);
                         if (_e217 >= 8388608u) {
-                            phi_420_ = (bitcast<i32>((_e217 >> bitcast<u32>(23i))) - 127i);
+                            phi_430_ = (bitcast<i32>((_e217 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_420_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e217)), 32u, (_e217 == 0u))));
+                            phi_430_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e217)), 32u, (_e217 == 0u))));
                         }
-                        let _e231 = phi_420_;
-                        phi_421_ = _e231;
+                        let _e231 = phi_430_;
+                        phi_431_ = _e231;
                     } else {
-                        phi_421_ = 0i;
+                        phi_431_ = 0i;
                     }
-                    let _e233 = phi_421_;
+                    let _e233 = phi_431_;
                     let _e234 = (_e150 == _e189);
                     if _e234 {
-                        phi_431_ = true;
+                        phi_441_ = true;
                     } else {
-                        phi_431_ = (_e157 == _e189);
+                        phi_441_ = (_e157 == _e189);
                     }
-                    let _e237 = phi_431_;
+                    let _e237 = phi_441_;
                     let _e238 = select(1u, 0u, _e234);
                     if _e237 {
                         let _e239 = (_e238 + 1u);
-                        phi_441_ = _e239;
-                        phi_442_ = _e239;
-                        phi_444_ = select(true, false, (_e239 == 2u));
+                        phi_451_ = _e239;
+                        phi_452_ = _e239;
+                        phi_454_ = select(true, false, (_e239 == 2u));
                     } else {
-                        phi_441_ = u32();
-                        phi_442_ = 0u;
-                        phi_444_ = true;
+                        phi_451_ = u32();
+                        phi_452_ = 0u;
+                        phi_454_ = true;
                     }
-                    let _e243 = phi_441_;
-                    let _e245 = phi_442_;
-                    let _e247 = phi_444_;
+                    let _e243 = phi_451_;
+                    let _e245 = phi_452_;
+                    let _e247 = phi_454_;
                     if _e247 {
-                        phi_449_ = (_e245 + 1u);
+                        phi_459_ = (_e245 + 1u);
                     } else {
-                        phi_449_ = 0u;
+                        phi_459_ = 0u;
                     }
-                    let _e251 = phi_449_;
+                    let _e251 = phi_459_;
                     let _e252 = select(_e243, _e245, _e247);
                     let _e253 = select(_e238, select(2u, _e238, _e237), _e247);
                     if (_e128 < -126i) {
-                        phi_461_ = -126i;
+                        phi_472_ = -126i;
                     } else {
-                        phi_461_ = select(_e128, 127i, (_e128 > 127i));
+                        phi_472_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e258 = phi_461_;
+                    let _e258 = phi_472_;
                     let _e263 = bitcast<f32>((bitcast<u32>((_e258 + 127i)) << bitcast<u32>(23i)));
                     let _e269 = bitcast<f32>((bitcast<u32>(((_e128 - _e258) + 127i)) << bitcast<u32>(23i)));
                     let _e270 = -(_e233);
                     if (_e270 < -126i) {
-                        phi_481_ = -126i;
+                        phi_492_ = -126i;
                     } else {
-                        phi_481_ = select(_e270, 127i, (_e270 > 127i));
+                        phi_492_ = select(_e270, 127i, (_e270 > 127i));
                     }
-                    let _e275 = phi_481_;
+                    let _e275 = phi_492_;
                     let _e280 = bitcast<f32>((bitcast<u32>((_e275 + 127i)) << bitcast<u32>(23i)));
                     let _e286 = bitcast<f32>((bitcast<u32>(((_e270 - _e275) + 127i)) << bitcast<u32>(23i)));
                     let _e290 = global_4.member[_e138].member;
                     let _e291 = (_e252 == 0u);
                     if _e291 {
-                        phi_499_ = _e290[0];
+                        phi_510_ = _e290[0];
                     } else {
-                        phi_499_ = _e290[1];
+                        phi_510_ = _e290[1];
                     }
-                    let _e295 = phi_499_;
+                    let _e295 = phi_510_;
                     let _e296 = (_e252 == 2u);
                     if _e296 {
-                        phi_505_ = _e290[2];
+                        phi_516_ = _e290[2];
                     } else {
-                        phi_505_ = _e295;
+                        phi_516_ = _e295;
                     }
-                    let _e299 = phi_505_;
+                    let _e299 = phi_516_;
                     let _e300 = bitcast<u32>(_e299);
                     let _e302 = ((_e300 & 2139095040u) != 0u);
                     let _e316 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e300 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e300 & 2147483648u))), _e299, _e302) * _e263) * select(0.00000011920929f, 1f, _e302)) * _e269);
                     let _e317 = global_4.member[_e138].member_2;
                     if _e291 {
-                        phi_545_ = _e317[0];
+                        phi_556_ = _e317[0];
                     } else {
-                        phi_545_ = _e317[1];
+                        phi_556_ = _e317[1];
                     }
-                    let _e321 = phi_545_;
+                    let _e321 = phi_556_;
                     if _e296 {
-                        phi_551_ = _e317[2];
+                        phi_562_ = _e317[2];
                     } else {
-                        phi_551_ = _e321;
+                        phi_562_ = _e321;
                     }
-                    let _e324 = phi_551_;
+                    let _e324 = phi_562_;
                     let _e325 = bitcast<u32>(_e324);
                     let _e327 = ((_e325 & 2139095040u) != 0u);
                     let _e341 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e325 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e325 & 2147483648u))), _e324, _e327) * _e280) * select(0.00000011920929f, 1f, _e327)) * _e286);
                     let _e345 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e345 {
                         let _e349 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) * 0.00000011920929f);
-                        phi_603_ = select(0.00000000000011368684f, _e349, (_e349 > 0.00000000000011368684f));
+                        phi_614_ = select(0.00000000000011368684f, _e349, (_e349 > 0.00000000000011368684f));
                     } else {
-                        phi_603_ = 0f;
+                        phi_614_ = 0f;
                     }
-                    let _e353 = phi_603_;
+                    let _e353 = phi_614_;
                     let _e354 = (_e316 + _e353);
                     let _e355 = (_e316 - _e353);
                     let _e356 = select(_e341, 0f, _e345);
                     if _e345 {
-                        phi_614_ = 38685626000000000000000000f;
+                        phi_626_ = 38685626000000000000000000f;
                     } else {
-                        phi_614_ = (1f / _e341);
+                        phi_626_ = (1f / _e341);
                     }
-                    let _e359 = phi_614_;
+                    let _e359 = phi_626_;
                     let _e360 = (_e251 == 0u);
                     if _e360 {
-                        phi_623_ = _e290[0];
+                        phi_635_ = _e290[0];
                     } else {
-                        phi_623_ = _e290[1];
+                        phi_635_ = _e290[1];
                     }
-                    let _e364 = phi_623_;
+                    let _e364 = phi_635_;
                     let _e365 = (_e251 == 2u);
                     if _e365 {
-                        phi_629_ = _e290[2];
+                        phi_641_ = _e290[2];
                     } else {
-                        phi_629_ = _e364;
+                        phi_641_ = _e364;
                     }
-                    let _e368 = phi_629_;
+                    let _e368 = phi_641_;
                     let _e369 = bitcast<u32>(_e368);
                     let _e371 = ((_e369 & 2139095040u) != 0u);
                     let _e385 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e369 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e369 & 2147483648u))), _e368, _e371) * _e263) * select(0.00000011920929f, 1f, _e371)) * _e269);
                     if _e360 {
-                        phi_669_ = _e317[0];
+                        phi_681_ = _e317[0];
                     } else {
-                        phi_669_ = _e317[1];
+                        phi_681_ = _e317[1];
                     }
-                    let _e389 = phi_669_;
+                    let _e389 = phi_681_;
                     if _e365 {
-                        phi_675_ = _e317[2];
+                        phi_687_ = _e317[2];
                     } else {
-                        phi_675_ = _e389;
+                        phi_687_ = _e389;
                     }
-                    let _e392 = phi_675_;
+                    let _e392 = phi_687_;
                     let _e393 = bitcast<u32>(_e392);
                     let _e395 = ((_e393 & 2139095040u) != 0u);
                     let _e409 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e393 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e393 & 2147483648u))), _e392, _e395) * _e280) * select(0.00000011920929f, 1f, _e395)) * _e286);
                     let _e413 = (bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e413 {
                         let _e417 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) * 0.00000011920929f);
-                        phi_727_ = select(0.00000000000011368684f, _e417, (_e417 > 0.00000000000011368684f));
+                        phi_739_ = select(0.00000000000011368684f, _e417, (_e417 > 0.00000000000011368684f));
                     } else {
-                        phi_727_ = 0f;
+                        phi_739_ = 0f;
                     }
-                    let _e421 = phi_727_;
+                    let _e421 = phi_739_;
                     let _e422 = (_e385 + _e421);
                     let _e423 = (_e385 - _e421);
                     let _e424 = select(_e409, 0f, _e413);
                     if _e413 {
-                        phi_738_ = 38685626000000000000000000f;
+                        phi_751_ = 38685626000000000000000000f;
                     } else {
-                        phi_738_ = (1f / _e409);
+                        phi_751_ = (1f / _e409);
                     }
-                    let _e427 = phi_738_;
+                    let _e427 = phi_751_;
                     let _e428 = (_e253 == 0u);
                     if _e428 {
-                        phi_747_ = _e290[0];
+                        phi_760_ = _e290[0];
                     } else {
-                        phi_747_ = _e290[1];
+                        phi_760_ = _e290[1];
                     }
-                    let _e432 = phi_747_;
+                    let _e432 = phi_760_;
                     let _e433 = (_e253 == 2u);
                     if _e433 {
-                        phi_753_ = _e290[2];
+                        phi_766_ = _e290[2];
                     } else {
-                        phi_753_ = _e432;
+                        phi_766_ = _e432;
                     }
-                    let _e436 = phi_753_;
+                    let _e436 = phi_766_;
                     let _e437 = bitcast<u32>(_e436);
                     let _e439 = ((_e437 & 2139095040u) != 0u);
                     let _e453 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e437 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e437 & 2147483648u))), _e436, _e439) * _e263) * select(0.00000011920929f, 1f, _e439)) * _e269);
                     if _e428 {
-                        phi_793_ = _e317[0];
+                        phi_806_ = _e317[0];
                     } else {
-                        phi_793_ = _e317[1];
+                        phi_806_ = _e317[1];
                     }
-                    let _e457 = phi_793_;
+                    let _e457 = phi_806_;
                     if _e433 {
-                        phi_799_ = _e317[2];
+                        phi_812_ = _e317[2];
                     } else {
-                        phi_799_ = _e457;
+                        phi_812_ = _e457;
                     }
-                    let _e460 = phi_799_;
+                    let _e460 = phi_812_;
                     let _e461 = bitcast<u32>(_e460);
                     let _e463 = ((_e461 & 2139095040u) != 0u);
                     let _e477 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e461 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e461 & 2147483648u))), _e460, _e463) * _e280) * select(0.00000011920929f, 1f, _e463)) * _e286);
                     let _e481 = (bitcast<f32>((bitcast<u32>(_e477) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e481 {
                         let _e485 = (bitcast<f32>((bitcast<u32>(_e453) & 2147483647u)) * 0.00000011920929f);
-                        phi_851_ = select(0.00000000000011368684f, _e485, (_e485 > 0.00000000000011368684f));
+                        phi_864_ = select(0.00000000000011368684f, _e485, (_e485 > 0.00000000000011368684f));
                     } else {
-                        phi_851_ = 0f;
+                        phi_864_ = 0f;
                     }
-                    let _e489 = phi_851_;
+                    let _e489 = phi_864_;
                     let _e490 = (_e453 + _e489);
                     let _e491 = (_e453 - _e489);
                     let _e492 = select(_e477, 0f, _e481);
                     if _e481 {
-                        phi_862_ = 38685626000000000000000000f;
+                        phi_876_ = 38685626000000000000000000f;
                     } else {
-                        phi_862_ = (1f / _e477);
+                        phi_876_ = (1f / _e477);
                     }
-                    let _e495 = phi_862_;
+                    let _e495 = phi_876_;
                     let _e498 = bitcast<f32>((bitcast<u32>(_e316) & 2147483647u));
                     let _e501 = bitcast<f32>((bitcast<u32>(_e385) & 2147483647u));
                     let _e503 = select(_e501, _e498, (_e498 > _e501));
@@ -519,55 +519,55 @@ fn function_() {
                         let _e526 = (_e519 == 0u);
                         let _e529 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e519)), 32u, _e526)) - 8i);
                         if (_e522 == 255i) {
-                            phi_917_ = 255i;
+                            phi_931_ = 255i;
                         } else {
-                            phi_917_ = (((_e522 + select(0i, 1i, (_e522 == 0i))) - _e529) + _e509);
+                            phi_931_ = (((_e522 + select(0i, 1i, (_e522 == 0i))) - _e529) + _e509);
                         }
-                        let _e537 = phi_917_;
+                        let _e537 = phi_931_;
                         let _e547 = (_e537 <= 0i);
                         if _e547 {
-                            phi_940_ = u32();
+                            phi_954_ = u32();
                         } else {
                             if _e526 {
-                                phi_939_ = u32();
+                                phi_953_ = u32();
                             } else {
-                                phi_939_ = select(((bitcast<u32>(_e537) << bitcast<u32>(23i)) | ((_e519 << bitcast<u32>(((_e529 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e537 >= 255i));
+                                phi_953_ = select(((bitcast<u32>(_e537) << bitcast<u32>(23i)) | ((_e519 << bitcast<u32>(((_e529 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e537 >= 255i));
                             }
-                            let _e551 = phi_939_;
-                            phi_940_ = _e551;
+                            let _e551 = phi_953_;
+                            phi_954_ = _e551;
                         }
-                        let _e553 = phi_940_;
+                        let _e553 = phi_954_;
                         let _e565 = ((_e210 & 8388607u) | (select(0u, 1u, ((_e210 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e568 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
                         let _e572 = (_e565 == 0u);
                         let _e575 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e565)), 32u, _e572)) - 8i);
                         if (_e568 == 255i) {
-                            phi_977_ = 255i;
+                            phi_991_ = 255i;
                         } else {
-                            phi_977_ = (((_e568 + select(0i, 1i, (_e568 == 0i))) - _e575) + _e509);
+                            phi_991_ = (((_e568 + select(0i, 1i, (_e568 == 0i))) - _e575) + _e509);
                         }
-                        let _e583 = phi_977_;
+                        let _e583 = phi_991_;
                         let _e593 = (_e583 <= 0i);
                         if _e593 {
-                            phi_1000_ = u32();
+                            phi_1014_ = u32();
                         } else {
                             if _e572 {
-                                phi_999_ = u32();
+                                phi_1013_ = u32();
                             } else {
-                                phi_999_ = select(((bitcast<u32>(_e583) << bitcast<u32>(23i)) | ((_e565 << bitcast<u32>(((_e575 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e583 >= 255i));
+                                phi_1013_ = select(((bitcast<u32>(_e583) << bitcast<u32>(23i)) | ((_e565 << bitcast<u32>(((_e575 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e583 >= 255i));
                             }
-                            let _e597 = phi_999_;
-                            phi_1000_ = _e597;
+                            let _e597 = phi_1013_;
+                            phi_1014_ = _e597;
                         }
-                        let _e599 = phi_1000_;
-                        phi_1008_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e599, 0u, select(_e572, true, _e593))));
-                        phi_1009_ = bitcast<f32>(((_e200 & 2147483648u) | select(_e553, 0u, select(_e526, true, _e547))));
+                        let _e599 = phi_1014_;
+                        phi_1022_ = bitcast<f32>(((_e209 & 2147483648u) | select(_e599, 0u, select(_e572, true, _e593))));
+                        phi_1023_ = bitcast<f32>(((_e200 & 2147483648u) | select(_e553, 0u, select(_e526, true, _e547))));
                     } else {
-                        phi_1008_ = 0f;
-                        phi_1009_ = 1f;
+                        phi_1022_ = 0f;
+                        phi_1023_ = 1f;
                     }
-                    let _e605 = phi_1008_;
-                    let _e607 = phi_1009_;
+                    let _e605 = phi_1022_;
+                    let _e607 = phi_1023_;
                     local_7 = array<type_22, 8>(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -615,207 +615,207 @@ fn function_() {
                         break;
                     }
                     let _e630 = local_9[_e619];
-                    phi_3685_ = false;
-                    phi_3641_ = _e605;
-                    phi_1135_ = type_51(type_49(array<f32, 3>(_e614, _e618, _e622), array<f32, 3>(_e626, _e628, _e630)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_1138_ = ((3u * _e90) + 1u);
-                    phi_1140_ = (_e607 <= _e605);
-                    phi_1142_ = 0u;
+                    phi_3813_ = false;
+                    phi_3770_ = _e605;
+                    phi_1161_ = (_e607 <= _e605);
+                    phi_1164_ = ((3u * _e90) + 1u);
+                    phi_1166_ = 0u;
+                    phi_1168_ = type_51(type_49(array<f32, 3>(_e614, _e618, _e622), array<f32, 3>(_e626, _e628, _e630)), select(0u, 2147483648u, (_e90 == 0u)));
                     loop {
-                        let _e638 = phi_3685_;
-                        let _e640 = phi_3641_;
-                        let _e642 = phi_1135_;
-                        let _e644 = phi_1138_;
-                        let _e646 = phi_1140_;
-                        let _e648 = phi_1142_;
-                        if _e646 {
-                            phi_1153_ = true;
+                        let _e638 = phi_3813_;
+                        let _e640 = phi_3770_;
+                        let _e642 = phi_1161_;
+                        let _e644 = phi_1164_;
+                        let _e646 = phi_1166_;
+                        let _e648 = phi_1168_;
+                        if _e642 {
+                            phi_1179_ = true;
                         } else {
-                            phi_1153_ = (_e648 > 0u);
+                            phi_1179_ = (_e646 > 0u);
                         }
-                        let _e651 = phi_1153_;
+                        let _e651 = phi_1179_;
                         if _e651 {
                             let _e652 = (_e644 > 0u);
                             if _e652 {
-                                if _e646 {
-                                    phi_1240_ = _e642;
-                                    phi_1241_ = _e646;
-                                    phi_1242_ = _e648;
+                                if _e642 {
+                                    phi_1266_ = _e642;
+                                    phi_1267_ = _e646;
+                                    phi_1268_ = _e648;
                                 } else {
-                                    let _e653 = (_e648 - 1u);
+                                    let _e653 = (_e646 - 1u);
                                     let _e654 = (_e653 % 128u);
                                     let _e655 = (_e654 < 128u);
                                     if _e655 {
                                     } else {
-                                        phi_3838_ = true;
+                                        phi_3966_ = true;
                                         break;
                                     }
                                     let _e657 = local_6[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3838_ = true;
+                                        phi_3966_ = true;
                                         break;
                                     }
                                     let _e659 = local_5[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3838_ = true;
+                                        phi_3966_ = true;
                                         break;
                                     }
                                     let _e661 = local_4[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3838_ = true;
+                                        phi_3966_ = true;
                                         break;
                                     }
                                     let _e663 = local_3[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3838_ = true;
+                                        phi_3966_ = true;
                                         break;
                                     }
                                     let _e666 = local_2[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3838_ = true;
+                                        phi_3966_ = true;
                                         break;
                                     }
                                     let _e668 = local_1[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3838_ = true;
+                                        phi_3966_ = true;
                                         break;
                                     }
                                     let _e670 = local[_e654];
                                     if _e655 {
                                     } else {
-                                        phi_3838_ = true;
+                                        phi_3966_ = true;
                                         break;
                                     }
                                     let _e675 = local_8[_e654];
-                                    phi_1240_ = type_51(type_49(array<f32, 3>(_e659, _e661, _e663), array<f32, 3>(_e666, _e668, _e670)), _e657);
-                                    phi_1241_ = (_e675 <= _e640);
-                                    phi_1242_ = _e653;
+                                    phi_1266_ = (_e675 <= _e640);
+                                    phi_1267_ = _e653;
+                                    phi_1268_ = type_51(type_49(array<f32, 3>(_e659, _e661, _e663), array<f32, 3>(_e666, _e668, _e670)), _e657);
                                 }
-                                let _e678 = phi_1240_;
-                                let _e680 = phi_1241_;
-                                let _e682 = phi_1242_;
-                                if _e680 {
-                                    if ((_e678.member_1 & 2147483648u) != 0u) {
-                                        phi_3682_ = _e638;
-                                        phi_3672_ = _e640;
-                                        phi_1260_ = type_4(0u, ((_e678.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e678 = phi_1266_;
+                                let _e680 = phi_1267_;
+                                let _e682 = phi_1268_;
+                                if _e678 {
+                                    if ((_e682.member_1 & 2147483648u) != 0u) {
+                                        phi_3810_ = _e638;
+                                        phi_3800_ = _e640;
+                                        phi_1286_ = type_4(0u, ((_e682.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1057 = phi_3682_;
-                                            let _e1059 = phi_3672_;
-                                            let _e1061 = phi_1260_;
+                                            let _e1057 = phi_3810_;
+                                            let _e1059 = phi_3800_;
+                                            let _e1061 = phi_1286_;
                                             if (_e1061.member < _e1061.member_1) {
-                                                phi_1261_ = type_4((_e1061.member + 1u), _e1061.member_1);
-                                                phi_1284_ = type_4(1u, _e1061.member);
+                                                phi_1287_ = type_4((_e1061.member + 1u), _e1061.member_1);
+                                                phi_1310_ = type_4(1u, _e1061.member);
                                             } else {
-                                                phi_1261_ = _e1061;
-                                                phi_1284_ = type_4(0u, type_4().member_1);
+                                                phi_1287_ = _e1061;
+                                                phi_1310_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1074 = phi_1261_;
-                                            let _e1076 = phi_1284_;
+                                            let _e1074 = phi_1287_;
+                                            let _e1076 = phi_1310_;
                                             let _e1080 = (bitcast<i32>(_e1076.member) != 0i);
                                             if _e1080 {
-                                                let _e1081 = ((_e678.member_1 & 268435455u) + _e1076.member_1);
+                                                let _e1081 = ((_e682.member_1 & 268435455u) + _e1076.member_1);
                                                 let _e1082 = (_e1081 < _e92);
                                                 if _e1082 {
                                                     if _e1082 {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1086 = global_2.member[_e1081].member_1;
-                                                    phi_1305_ = _e1086;
+                                                    phi_1331_ = _e1086;
                                                 } else {
-                                                    phi_1305_ = 4294967295u;
+                                                    phi_1331_ = 4294967295u;
                                                 }
-                                                let _e1088 = phi_1305_;
+                                                let _e1088 = phi_1331_;
                                                 if (_e1081 >= _e92) {
-                                                    phi_1394_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1423_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1082 {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     if (_e611 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1095 = global_2.member[_e1081].member[_e611];
                                                     if (_e615 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1101 = global_2.member[_e1081].member[_e615];
                                                     if (_e619 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1107 = global_2.member[_e1081].member[_e619];
                                                     let _e1109 = (3u + _e611);
                                                     if (_e1109 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1115 = global_2.member[_e1081].member[_e1109];
                                                     let _e1116 = (3u + _e615);
                                                     if (_e1116 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1122 = global_2.member[_e1081].member[_e1116];
                                                     let _e1123 = (3u + _e619);
                                                     if (_e1123 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1129 = global_2.member[_e1081].member[_e1123];
                                                     let _e1131 = (6u + _e611);
                                                     if (_e1131 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1137 = global_2.member[_e1081].member[_e1131];
                                                     let _e1138 = (6u + _e615);
                                                     if (_e1138 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1144 = global_2.member[_e1081].member[_e1138];
                                                     let _e1145 = (6u + _e619);
                                                     if (_e1145 < 9u) {
                                                     } else {
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = true;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = true;
                                                         break;
                                                     }
                                                     let _e1151 = global_2.member[_e1081].member[_e1145];
-                                                    phi_1394_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1095, _e1101, _e1107), array<f32, 3>(_e1115, _e1122, _e1129), array<f32, 3>(_e1137, _e1144, _e1151));
+                                                    phi_1423_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1095, _e1101, _e1107), array<f32, 3>(_e1115, _e1122, _e1129), array<f32, 3>(_e1137, _e1144, _e1151));
                                                 }
-                                                let _e1155 = phi_1394_;
+                                                let _e1155 = phi_1423_;
                                                 let _e1162 = (_e1155[0][2] - _e453);
                                                 let _e1165 = (((_e1155[0][0] - _e316) * _e492) - (_e1162 * _e356));
                                                 let _e1168 = (((_e1155[0][1] - _e385) * _e492) - (_e1162 * _e424));
@@ -842,34 +842,34 @@ fn function_() {
                                                     let _e1224 = select(0f, _e1222, (_e1222 > 0f));
                                                     let _e1226 = ((_e1216 + _e1220) + _e1224);
                                                     if (_e1226 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2220_ = type_22();
-                                                        phi_2221_ = true;
-                                                        phi_2222_ = false;
+                                                        phi_2308_ = type_22();
+                                                        phi_2309_ = true;
+                                                        phi_2310_ = false;
                                                     } else {
                                                         let _e1229 = select(_e1178, _e1165, (_e1165 < _e1178));
                                                         if (select(_e1191, _e1229, (_e1229 < _e1191)) > 0f) {
-                                                            phi_1512_ = true;
+                                                            phi_1576_ = true;
                                                         } else {
                                                             let _e1234 = select(_e1178, _e1165, (_e1165 > _e1178));
-                                                            phi_1512_ = (select(_e1191, _e1234, (_e1234 > _e1191)) < 0f);
+                                                            phi_1576_ = (select(_e1191, _e1234, (_e1234 > _e1191)) < 0f);
                                                         }
-                                                        let _e1239 = phi_1512_;
+                                                        let _e1239 = phi_1576_;
                                                         if _e1239 {
-                                                            phi_2217_ = type_22();
-                                                            phi_2218_ = true;
-                                                            phi_2219_ = false;
+                                                            phi_2305_ = type_22();
+                                                            phi_2306_ = true;
+                                                            phi_2307_ = false;
                                                         } else {
                                                             let _e1241 = select(_e1181, _e1168, (_e1168 < _e1181));
                                                             if (select(_e1194, _e1241, (_e1241 < _e1194)) > 0f) {
-                                                                phi_1541_ = true;
+                                                                phi_1605_ = true;
                                                             } else {
                                                                 let _e1246 = select(_e1181, _e1168, (_e1168 > _e1181));
-                                                                phi_1541_ = (select(_e1194, _e1246, (_e1246 > _e1194)) < 0f);
+                                                                phi_1605_ = (select(_e1194, _e1246, (_e1246 > _e1194)) < 0f);
                                                             }
-                                                            let _e1251 = phi_1541_;
+                                                            let _e1251 = phi_1605_;
                                                             if _e1251 {
-                                                                phi_2215_ = type_22();
-                                                                phi_2216_ = false;
+                                                                phi_2303_ = type_22();
+                                                                phi_2304_ = false;
                                                             } else {
                                                                 let _e1253 = select(_e1155[1][0], _e1155[0][0], (_e1155[0][0] < _e1155[1][0]));
                                                                 let _e1257 = select(_e1155[1][0], _e1155[0][0], (_e1155[0][0] > _e1155[1][0]));
@@ -896,12 +896,12 @@ fn function_() {
                                                                 let _e1308 = -(_e1289);
                                                                 let _e1314 = select(_e607, _e1299, (_e1299 > _e607));
                                                                 if (_e1314 > (_e1307 + (select(_e1308, _e1291, (_e1291 > _e1308)) * 0.0000019073523f))) {
-                                                                    phi_2210_ = type_22();
-                                                                    phi_2211_ = true;
+                                                                    phi_2298_ = type_22();
+                                                                    phi_2299_ = true;
                                                                 } else {
                                                                     let _e1316 = (_e1314 > _e1059);
                                                                     if _e1316 {
-                                                                        phi_2209_ = type_22();
+                                                                        phi_2297_ = type_22();
                                                                     } else {
                                                                         let _e1317 = vec3<f32>(_e1155[0][0], _e1155[0][1], _e1155[0][2]);
                                                                         let _e1318 = vec3<f32>(_e1155[1][0], _e1155[1][1], _e1155[1][2]);
@@ -936,49 +936,49 @@ fn function_() {
                                                                         let _e1372 = select(_e1357, _e1344, (_e1344 > _e1357));
                                                                         let _e1374 = select(_e1370, _e1372, (_e1372 > _e1370));
                                                                         if (_e1344 == _e1374) {
-                                                                            phi_1942_ = _e1181;
-                                                                            phi_1943_ = _e1178;
-                                                                            phi_1944_ = _e1168;
-                                                                            phi_1945_ = _e1165;
-                                                                            phi_1946_ = _e1317;
-                                                                            phi_1947_ = _e1331;
-                                                                            phi_1948_ = _e1327;
-                                                                            phi_1949_ = _e1323;
+                                                                            phi_2024_ = _e1181;
+                                                                            phi_2025_ = _e1178;
+                                                                            phi_2026_ = _e1168;
+                                                                            phi_2027_ = _e1165;
+                                                                            phi_2028_ = _e1317;
+                                                                            phi_2029_ = _e1331;
+                                                                            phi_2030_ = _e1327;
+                                                                            phi_2031_ = _e1323;
                                                                         } else {
                                                                             let _e1376 = (_e1357 == _e1374);
                                                                             let _e1381 = vec3(_e1376);
-                                                                            phi_1942_ = select(_e1168, _e1194, _e1376);
-                                                                            phi_1943_ = select(_e1165, _e1191, _e1376);
-                                                                            phi_1944_ = select(_e1194, _e1181, _e1376);
-                                                                            phi_1945_ = select(_e1191, _e1178, _e1376);
-                                                                            phi_1946_ = select(_e1319, _e1318, _e1381);
-                                                                            phi_1947_ = select(_e1327, _e1323, _e1381);
-                                                                            phi_1948_ = select(_e1323, _e1331, _e1381);
-                                                                            phi_1949_ = select(_e1331, _e1327, _e1381);
+                                                                            phi_2024_ = select(_e1168, _e1194, _e1376);
+                                                                            phi_2025_ = select(_e1165, _e1191, _e1376);
+                                                                            phi_2026_ = select(_e1194, _e1181, _e1376);
+                                                                            phi_2027_ = select(_e1191, _e1178, _e1376);
+                                                                            phi_2028_ = select(_e1319, _e1318, _e1381);
+                                                                            phi_2029_ = select(_e1327, _e1323, _e1381);
+                                                                            phi_2030_ = select(_e1323, _e1331, _e1381);
+                                                                            phi_2031_ = select(_e1331, _e1327, _e1381);
                                                                         }
-                                                                        let _e1387 = phi_1942_;
-                                                                        let _e1389 = phi_1943_;
-                                                                        let _e1391 = phi_1944_;
-                                                                        let _e1393 = phi_1945_;
-                                                                        let _e1395 = phi_1946_;
-                                                                        let _e1397 = phi_1947_;
-                                                                        let _e1399 = phi_1948_;
-                                                                        let _e1401 = phi_1949_;
+                                                                        let _e1387 = phi_2024_;
+                                                                        let _e1389 = phi_2025_;
+                                                                        let _e1391 = phi_2026_;
+                                                                        let _e1393 = phi_2027_;
+                                                                        let _e1395 = phi_2028_;
+                                                                        let _e1397 = phi_2029_;
+                                                                        let _e1399 = phi_2030_;
+                                                                        let _e1401 = phi_2031_;
                                                                         let _e1408 = ((_e1399.y * _e1397.z) - (_e1397.y * _e1399.z));
                                                                         let _e1413 = ((_e1399.z * _e1397.x) - (_e1397.z * _e1399.x));
                                                                         let _e1416 = ((_e1399.x * _e1397.y) - (_e1397.x * _e1399.y));
                                                                         if (_e1216 >= _e1220) {
-                                                                            phi_1980_ = select(true, false, (_e1216 >= _e1224));
+                                                                            phi_2068_ = select(true, false, (_e1216 >= _e1224));
                                                                         } else {
-                                                                            phi_1980_ = true;
+                                                                            phi_2068_ = true;
                                                                         }
-                                                                        let _e1421 = phi_1980_;
+                                                                        let _e1421 = phi_2068_;
                                                                         if _e1421 {
-                                                                            phi_1989_ = select(_e1319, _e1318, vec3((_e1220 >= _e1224)));
+                                                                            phi_2077_ = select(_e1319, _e1318, vec3((_e1220 >= _e1224)));
                                                                         } else {
-                                                                            phi_1989_ = _e1317;
+                                                                            phi_2077_ = _e1317;
                                                                         }
-                                                                        let _e1426 = phi_1989_;
+                                                                        let _e1426 = phi_2077_;
                                                                         let _e1437 = (((_e1408 * (_e1426.x - _e316)) + (_e1413 * (_e1426.y - _e385))) + (_e1416 * (_e1426.z - _e453)));
                                                                         let _e1442 = (((_e1408 * _e356) + (_e1413 * _e424)) + (_e1416 * _e492));
                                                                         let _e1443 = (_e1389 - _e1393);
@@ -1010,278 +1010,278 @@ fn function_() {
                                                                             let _e1540 = bitcast<f32>((bitcast<u32>(_e1397.z) & 2147483647u));
                                                                             let _e1544 = (bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u)) > ((0.0000038146973f * select(_e1526, _e1523, (_e1523 > _e1526))) * select(_e1540, _e1537, (_e1537 > _e1540))));
                                                                             if _e1544 {
-                                                                                phi_2154_ = (_e1437 / _e1442);
+                                                                                phi_2242_ = (_e1437 / _e1442);
                                                                             } else {
-                                                                                phi_2154_ = f32();
+                                                                                phi_2242_ = f32();
                                                                             }
-                                                                            let _e1547 = phi_2154_;
-                                                                            phi_2156_ = _e1547;
-                                                                            phi_2157_ = select(true, false, _e1544);
+                                                                            let _e1547 = phi_2242_;
+                                                                            phi_2244_ = _e1547;
+                                                                            phi_2245_ = select(true, false, _e1544);
                                                                         } else {
-                                                                            phi_2156_ = f32();
-                                                                            phi_2157_ = true;
+                                                                            phi_2244_ = f32();
+                                                                            phi_2245_ = true;
                                                                         }
-                                                                        let _e1550 = phi_2156_;
-                                                                        let _e1552 = phi_2157_;
+                                                                        let _e1550 = phi_2244_;
+                                                                        let _e1552 = phi_2245_;
                                                                         if _e1552 {
                                                                             let _e1560 = (((_e1408 * (_e1469 - (_e356 * _e1472))) + (_e1413 * (_e1470 - (_e424 * _e1472)))) / _e1442);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u)) <= _e1374) {
-                                                                                phi_2177_ = (_e1472 + _e1560);
+                                                                                phi_2265_ = (_e1472 + _e1560);
                                                                             } else {
-                                                                                phi_2177_ = _e1472;
+                                                                                phi_2265_ = _e1472;
                                                                             }
-                                                                            let _e1567 = phi_2177_;
-                                                                            phi_2178_ = _e1567;
+                                                                            let _e1567 = phi_2265_;
+                                                                            phi_2266_ = _e1567;
                                                                         } else {
-                                                                            phi_2178_ = _e1550;
+                                                                            phi_2266_ = _e1550;
                                                                         }
-                                                                        let _e1569 = phi_2178_;
+                                                                        let _e1569 = phi_2266_;
                                                                         let _e1571 = select(_e1307, _e1569, (_e1569 < _e1307));
                                                                         let _e1573 = select(_e1299, _e1571, (_e1571 > _e1299));
                                                                         if (_e1573 >= _e607) {
                                                                             let _e1575 = (_e1573 <= _e1059);
                                                                             if _e1575 {
                                                                                 let _e1576 = (1f / _e1226);
-                                                                                phi_2201_ = type_22(_e1573, (_e1220 * _e1576), (_e1224 * _e1576), _e1088);
+                                                                                phi_2289_ = type_22(_e1573, (_e1220 * _e1576), (_e1224 * _e1576), _e1088);
                                                                             } else {
-                                                                                phi_2201_ = type_22();
+                                                                                phi_2289_ = type_22();
                                                                             }
-                                                                            let _e1581 = phi_2201_;
-                                                                            phi_2203_ = _e1581;
-                                                                            phi_2204_ = select(true, false, _e1575);
+                                                                            let _e1581 = phi_2289_;
+                                                                            phi_2291_ = _e1581;
+                                                                            phi_2292_ = select(true, false, _e1575);
                                                                         } else {
-                                                                            phi_2203_ = type_22();
-                                                                            phi_2204_ = true;
+                                                                            phi_2291_ = type_22();
+                                                                            phi_2292_ = true;
                                                                         }
-                                                                        let _e1584 = phi_2203_;
-                                                                        let _e1586 = phi_2204_;
+                                                                        let _e1584 = phi_2291_;
+                                                                        let _e1586 = phi_2292_;
                                                                         if _e1586 {
-                                                                            phi_2208_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2296_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2208_ = _e1584;
+                                                                            phi_2296_ = _e1584;
                                                                         }
-                                                                        let _e1588 = phi_2208_;
-                                                                        phi_2209_ = _e1588;
+                                                                        let _e1588 = phi_2296_;
+                                                                        phi_2297_ = _e1588;
                                                                     }
-                                                                    let _e1590 = phi_2209_;
-                                                                    phi_2210_ = _e1590;
-                                                                    phi_2211_ = _e1316;
+                                                                    let _e1590 = phi_2297_;
+                                                                    phi_2298_ = _e1590;
+                                                                    phi_2299_ = _e1316;
                                                                 }
-                                                                let _e1592 = phi_2210_;
-                                                                let _e1594 = phi_2211_;
-                                                                phi_2215_ = _e1592;
-                                                                phi_2216_ = _e1594;
+                                                                let _e1592 = phi_2298_;
+                                                                let _e1594 = phi_2299_;
+                                                                phi_2303_ = _e1592;
+                                                                phi_2304_ = _e1594;
                                                             }
-                                                            let _e1596 = phi_2215_;
-                                                            let _e1598 = phi_2216_;
-                                                            phi_2217_ = _e1596;
-                                                            phi_2218_ = _e1251;
-                                                            phi_2219_ = _e1598;
+                                                            let _e1596 = phi_2303_;
+                                                            let _e1598 = phi_2304_;
+                                                            phi_2305_ = _e1596;
+                                                            phi_2306_ = _e1251;
+                                                            phi_2307_ = _e1598;
                                                         }
-                                                        let _e1600 = phi_2217_;
-                                                        let _e1602 = phi_2218_;
-                                                        let _e1604 = phi_2219_;
-                                                        phi_2220_ = _e1600;
-                                                        phi_2221_ = _e1602;
-                                                        phi_2222_ = _e1604;
+                                                        let _e1600 = phi_2305_;
+                                                        let _e1602 = phi_2306_;
+                                                        let _e1604 = phi_2307_;
+                                                        phi_2308_ = _e1600;
+                                                        phi_2309_ = _e1602;
+                                                        phi_2310_ = _e1604;
                                                     }
-                                                    let _e1606 = phi_2220_;
-                                                    let _e1608 = phi_2221_;
-                                                    let _e1610 = phi_2222_;
-                                                    phi_2230_ = _e1606;
-                                                    phi_2231_ = select(_e1610, true, _e1608);
+                                                    let _e1606 = phi_2308_;
+                                                    let _e1608 = phi_2309_;
+                                                    let _e1610 = phi_2310_;
+                                                    phi_2318_ = _e1606;
+                                                    phi_2319_ = select(_e1610, true, _e1608);
                                                 } else {
-                                                    phi_2230_ = type_22();
-                                                    phi_2231_ = true;
+                                                    phi_2318_ = type_22();
+                                                    phi_2319_ = true;
                                                 }
-                                                let _e1613 = phi_2230_;
-                                                let _e1615 = phi_2231_;
+                                                let _e1613 = phi_2318_;
+                                                let _e1615 = phi_2319_;
                                                 if _e1615 {
-                                                    phi_2235_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2323_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2235_ = _e1613;
+                                                    phi_2323_ = _e1613;
                                                 }
-                                                let _e1617 = phi_2235_;
+                                                let _e1617 = phi_2323_;
                                                 if (_e1617.member_3 != 4294967295u) {
                                                     if (_e1088 != 4294967295u) {
-                                                        phi_2247_ = type_4(0u, 8u);
-                                                        phi_2250_ = _e1617;
+                                                        phi_2335_ = type_4(0u, 8u);
+                                                        phi_2338_ = _e1617;
                                                         loop {
-                                                            let _e1622 = phi_2247_;
-                                                            let _e1624 = phi_2250_;
+                                                            let _e1622 = phi_2335_;
+                                                            let _e1624 = phi_2338_;
                                                             if (_e1622.member < _e1622.member_1) {
-                                                                phi_2248_ = type_4((_e1622.member + 1u), _e1622.member_1);
-                                                                phi_2273_ = type_4(1u, _e1622.member);
+                                                                phi_2336_ = type_4((_e1622.member + 1u), _e1622.member_1);
+                                                                phi_2361_ = type_4(1u, _e1622.member);
                                                             } else {
-                                                                phi_2248_ = _e1622;
-                                                                phi_2273_ = type_4(0u, type_4().member_1);
+                                                                phi_2336_ = _e1622;
+                                                                phi_2361_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1637 = phi_2248_;
-                                                            let _e1639 = phi_2273_;
+                                                            let _e1637 = phi_2336_;
+                                                            let _e1639 = phi_2361_;
                                                             let _e1643 = (bitcast<i32>(_e1639.member) != 0i);
                                                             if _e1643 {
                                                                 let _e1644 = (_e1639.member_1 < 8u);
                                                                 if _e1644 {
                                                                 } else {
-                                                                    phi_3673_ = true;
+                                                                    phi_3801_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1649 = local_7[_e1639.member_1].member;
                                                                 if (_e1624.member < _e1649) {
-                                                                    phi_2306_ = true;
+                                                                    phi_2394_ = true;
                                                                 } else {
                                                                     let _e1651 = local_7[_e1639.member_1].member;
                                                                     if (_e1624.member == _e1651) {
                                                                         let _e1656 = local_7[_e1639.member_1].member_3;
-                                                                        phi_2305_ = (_e1624.member_3 < _e1656);
+                                                                        phi_2393_ = (_e1624.member_3 < _e1656);
                                                                     } else {
-                                                                        phi_2305_ = false;
+                                                                        phi_2393_ = false;
                                                                     }
-                                                                    let _e1659 = phi_2305_;
-                                                                    phi_2306_ = _e1659;
+                                                                    let _e1659 = phi_2393_;
+                                                                    phi_2394_ = _e1659;
                                                                 }
-                                                                let _e1661 = phi_2306_;
+                                                                let _e1661 = phi_2394_;
                                                                 if _e1661 {
                                                                     if _e1644 {
                                                                     } else {
-                                                                        phi_3673_ = true;
+                                                                        phi_3801_ = true;
                                                                         break;
                                                                     }
                                                                     let _e1662 = local_7[_e1639.member_1];
                                                                     local_7[_e1639.member_1] = type_22(_e1624.member, _e1624.member_1, _e1624.member_2, _e1624.member_3);
-                                                                    phi_2327_ = type_22(_e1662.member, _e1662.member_1, _e1662.member_2, _e1662.member_3);
+                                                                    phi_2415_ = type_22(_e1662.member, _e1662.member_1, _e1662.member_2, _e1662.member_3);
                                                                 } else {
-                                                                    phi_2327_ = _e1624;
+                                                                    phi_2415_ = _e1624;
                                                                 }
-                                                                let _e1673 = phi_2327_;
-                                                                phi_2251_ = _e1673;
+                                                                let _e1673 = phi_2415_;
+                                                                phi_2339_ = _e1673;
                                                             } else {
-                                                                phi_2251_ = type_22();
+                                                                phi_2339_ = type_22();
                                                             }
-                                                            let _e1675 = phi_2251_;
+                                                            let _e1675 = phi_2339_;
                                                             continue;
                                                             continuing {
-                                                                phi_2247_ = _e1637;
-                                                                phi_2250_ = _e1675;
-                                                                phi_3673_ = _e1057;
+                                                                phi_2335_ = _e1637;
+                                                                phi_2338_ = _e1675;
+                                                                phi_3801_ = _e1057;
                                                                 break if !(_e1643);
                                                             }
                                                         }
-                                                        let _e1678 = phi_3673_;
-                                                        phi_3958_ = _e1059;
-                                                        phi_3833_ = _e1678;
+                                                        let _e1678 = phi_3801_;
+                                                        phi_4086_ = _e1059;
+                                                        phi_3961_ = _e1678;
                                                         if _e1678 {
                                                             break;
                                                         }
                                                         let _e1681 = local_7[7u].member_3;
                                                         if (_e1681 != 4294967295u) {
                                                             let _e1685 = local_7[7u].member;
-                                                            phi_4049_ = _e1685;
+                                                            phi_4177_ = _e1685;
                                                         } else {
-                                                            phi_4049_ = _e1059;
+                                                            phi_4177_ = _e1059;
                                                         }
-                                                        let _e1687 = phi_4049_;
-                                                        phi_4048_ = _e1687;
-                                                        phi_3836_ = _e1678;
+                                                        let _e1687 = phi_4177_;
+                                                        phi_4176_ = _e1687;
+                                                        phi_3964_ = _e1678;
                                                     } else {
-                                                        phi_4048_ = _e1059;
-                                                        phi_3836_ = _e1057;
+                                                        phi_4176_ = _e1059;
+                                                        phi_3964_ = _e1057;
                                                     }
-                                                    let _e1689 = phi_4048_;
-                                                    let _e1691 = phi_3836_;
-                                                    phi_4047_ = _e1689;
-                                                    phi_3835_ = _e1691;
+                                                    let _e1689 = phi_4176_;
+                                                    let _e1691 = phi_3964_;
+                                                    phi_4175_ = _e1689;
+                                                    phi_3963_ = _e1691;
                                                 } else {
-                                                    phi_4047_ = _e1059;
-                                                    phi_3835_ = _e1057;
+                                                    phi_4175_ = _e1059;
+                                                    phi_3963_ = _e1057;
                                                 }
-                                                let _e1693 = phi_4047_;
-                                                let _e1695 = phi_3835_;
-                                                phi_4046_ = _e1693;
-                                                phi_3834_ = _e1695;
+                                                let _e1693 = phi_4175_;
+                                                let _e1695 = phi_3963_;
+                                                phi_4174_ = _e1693;
+                                                phi_3962_ = _e1695;
                                             } else {
-                                                phi_4046_ = _e1059;
-                                                phi_3834_ = _e1057;
+                                                phi_4174_ = _e1059;
+                                                phi_3962_ = _e1057;
                                             }
-                                            let _e1697 = phi_4046_;
-                                            let _e1699 = phi_3834_;
+                                            let _e1697 = phi_4174_;
+                                            let _e1699 = phi_3962_;
                                             continue;
                                             continuing {
-                                                phi_3682_ = _e1699;
-                                                phi_3672_ = _e1697;
-                                                phi_1260_ = _e1074;
-                                                phi_3958_ = _e1697;
-                                                phi_3833_ = _e1699;
+                                                phi_3810_ = _e1699;
+                                                phi_3800_ = _e1697;
+                                                phi_1286_ = _e1074;
+                                                phi_4086_ = _e1697;
+                                                phi_3961_ = _e1699;
                                                 break if !(_e1080);
                                             }
                                         }
-                                        let _e1702 = phi_3958_;
-                                        let _e1704 = phi_3833_;
-                                        phi_3838_ = _e1704;
+                                        let _e1702 = phi_4086_;
+                                        let _e1704 = phi_3961_;
+                                        phi_3966_ = _e1704;
                                         if _e1704 {
                                             break;
                                         }
-                                        phi_3923_ = _e1702;
-                                        phi_3842_ = _e1704;
-                                        phi_3312_ = _e678;
-                                        phi_3313_ = false;
-                                        phi_3314_ = _e682;
+                                        phi_4051_ = _e1702;
+                                        phi_3970_ = _e1704;
+                                        phi_3440_ = false;
+                                        phi_3441_ = _e680;
+                                        phi_3442_ = _e682;
                                     } else {
-                                        let _e691 = (_e678.member_1 < _e90);
+                                        let _e691 = (_e682.member_1 < _e90);
                                         if _e691 {
                                             if _e691 {
                                             } else {
-                                                phi_3838_ = true;
+                                                phi_3966_ = true;
                                                 break;
                                             }
-                                            let _e693 = global_5.member[_e678.member_1];
-                                            phi_2357_ = _e693;
+                                            let _e693 = global_5.member[_e682.member_1];
+                                            phi_2452_ = _e693;
                                         } else {
-                                            phi_2357_ = type_44(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2452_ = type_44(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e695 = phi_2357_;
+                                        let _e695 = phi_2452_;
                                         let _e710 = ((10u * _e252) & 31u);
                                         let _e713 = ((_e695.member[0] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e721 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[0] - _e678.member.member[0]) * 0.0009775171f)) ^ _e124));
-                                        let _e726 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e713)) - 8388608f) * _e721)) ^ _e124)));
-                                        let _e730 = select(select(_e678.member.member_1[0], _e726, (_e726 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e713 == 1023u));
+                                        let _e721 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[0] - _e682.member.member[0]) * 0.0009775171f)) ^ _e124));
+                                        let _e726 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e713)) - 8388608f) * _e721)) ^ _e124)));
+                                        let _e730 = select(select(_e682.member.member_1[0], _e726, (_e726 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e713 == 1023u));
                                         let _e732 = ((10u * _e251) & 31u);
                                         let _e735 = ((_e695.member[0] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e743 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[1] - _e678.member.member[1]) * 0.0009775171f)) ^ _e124));
-                                        let _e748 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e735)) - 8388608f) * _e743)) ^ _e124)));
-                                        let _e752 = select(select(_e678.member.member_1[1], _e748, (_e748 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e735 == 1023u));
+                                        let _e743 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[1] - _e682.member.member[1]) * 0.0009775171f)) ^ _e124));
+                                        let _e748 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e735)) - 8388608f) * _e743)) ^ _e124)));
+                                        let _e752 = select(select(_e682.member.member_1[1], _e748, (_e748 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e735 == 1023u));
                                         let _e754 = ((10u * _e253) & 31u);
                                         let _e757 = ((_e695.member[0] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e765 = bitcast<f32>((bitcast<u32>(((_e678.member.member_1[2] - _e678.member.member[2]) * 0.0009775171f)) ^ _e124));
-                                        let _e770 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e757)) - 8388608f) * _e765)) ^ _e124)));
-                                        let _e774 = select(select(_e678.member.member_1[2], _e770, (_e770 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e757 == 1023u));
+                                        let _e765 = bitcast<f32>((bitcast<u32>(((_e682.member.member_1[2] - _e682.member.member[2]) * 0.0009775171f)) ^ _e124));
+                                        let _e770 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e757)) - 8388608f) * _e765)) ^ _e124)));
+                                        let _e774 = select(select(_e682.member.member_1[2], _e770, (_e770 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e757 == 1023u));
                                         let _e777 = ((_e695.member[1] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e785 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e777)) - 8388608f) * _e721)) ^ _e124)));
-                                        let _e789 = select(select(_e678.member.member_1[0], _e785, (_e785 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e777 == 1023u));
+                                        let _e785 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e777)) - 8388608f) * _e721)) ^ _e124)));
+                                        let _e789 = select(select(_e682.member.member_1[0], _e785, (_e785 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e777 == 1023u));
                                         let _e792 = ((_e695.member[1] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e800 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e792)) - 8388608f) * _e743)) ^ _e124)));
-                                        let _e804 = select(select(_e678.member.member_1[1], _e800, (_e800 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e792 == 1023u));
+                                        let _e800 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e792)) - 8388608f) * _e743)) ^ _e124)));
+                                        let _e804 = select(select(_e682.member.member_1[1], _e800, (_e800 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e792 == 1023u));
                                         let _e807 = ((_e695.member[1] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e815 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e765)) ^ _e124)));
-                                        let _e819 = select(select(_e678.member.member_1[2], _e815, (_e815 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e807 == 1023u));
+                                        let _e815 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e765)) ^ _e124)));
+                                        let _e819 = select(select(_e682.member.member_1[2], _e815, (_e815 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e807 == 1023u));
                                         let _e825 = ((_e695.member_1[0] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e833 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e825)) - 8388608f) * _e721)) ^ _e124)));
-                                        let _e837 = select(select(_e678.member.member_1[0], _e833, (_e833 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e825 == 1023u));
+                                        let _e833 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e825)) - 8388608f) * _e721)) ^ _e124)));
+                                        let _e837 = select(select(_e682.member.member_1[0], _e833, (_e833 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e825 == 1023u));
                                         let _e840 = ((_e695.member_1[0] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e848 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e840)) - 8388608f) * _e743)) ^ _e124)));
-                                        let _e852 = select(select(_e678.member.member_1[1], _e848, (_e848 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e840 == 1023u));
+                                        let _e848 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e840)) - 8388608f) * _e743)) ^ _e124)));
+                                        let _e852 = select(select(_e682.member.member_1[1], _e848, (_e848 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e840 == 1023u));
                                         let _e855 = ((_e695.member_1[0] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e863 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e765)) ^ _e124)));
-                                        let _e867 = select(select(_e678.member.member_1[2], _e863, (_e863 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e855 == 1023u));
+                                        let _e863 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e765)) ^ _e124)));
+                                        let _e867 = select(select(_e682.member.member_1[2], _e863, (_e863 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e855 == 1023u));
                                         let _e870 = ((_e695.member_1[1] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e878 = (_e678.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e721)) ^ _e124)));
-                                        let _e882 = select(select(_e678.member.member_1[0], _e878, (_e878 < _e678.member.member_1[0])), _e678.member.member_1[0], (_e870 == 1023u));
+                                        let _e878 = (_e682.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e721)) ^ _e124)));
+                                        let _e882 = select(select(_e682.member.member_1[0], _e878, (_e878 < _e682.member.member_1[0])), _e682.member.member_1[0], (_e870 == 1023u));
                                         let _e885 = ((_e695.member_1[1] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e893 = (_e678.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e743)) ^ _e124)));
-                                        let _e897 = select(select(_e678.member.member_1[1], _e893, (_e893 < _e678.member.member_1[1])), _e678.member.member_1[1], (_e885 == 1023u));
+                                        let _e893 = (_e682.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e743)) ^ _e124)));
+                                        let _e897 = select(select(_e682.member.member_1[1], _e893, (_e893 < _e682.member.member_1[1])), _e682.member.member_1[1], (_e885 == 1023u));
                                         let _e900 = ((_e695.member_1[1] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e908 = (_e678.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e900)) - 8388608f) * _e765)) ^ _e124)));
-                                        let _e912 = select(select(_e678.member.member_1[2], _e908, (_e908 < _e678.member.member_1[2])), _e678.member.member_1[2], (_e900 == 1023u));
+                                        let _e908 = (_e682.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e900)) - 8388608f) * _e765)) ^ _e124)));
+                                        let _e912 = select(select(_e682.member.member_1[2], _e908, (_e908 < _e682.member.member_1[2])), _e682.member.member_1[2], (_e900 == 1023u));
                                         let _e917 = type_51(type_49(array<f32, 3>(_e730, _e752, _e774), array<f32, 3>(_e789, _e804, _e819)), _e695.member_2);
                                         let _e922 = type_51(type_49(array<f32, 3>(_e837, _e852, _e867), array<f32, 3>(_e882, _e897, _e912)), _e695.member_3);
                                         let _e927 = ((_e730 - _e354) * _e359);
@@ -1326,209 +1326,209 @@ fn function_() {
                                         if _e1005 {
                                             if _e1006 {
                                                 if _e1007 {
-                                                    phi_3214_ = _e922;
+                                                    phi_3339_ = _e922;
                                                 } else {
-                                                    phi_3214_ = _e917;
+                                                    phi_3339_ = _e917;
                                                 }
-                                                let _e1009 = phi_3214_;
-                                                let _e1017 = (_e682 % 128u);
+                                                let _e1009 = phi_3339_;
+                                                let _e1017 = (_e680 % 128u);
                                                 let _e1018 = (_e1017 < 128u);
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3838_ = true;
+                                                    phi_3966_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1017] = _e1009.member_1;
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3838_ = true;
+                                                    phi_3966_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1017] = _e1009.member.member[0];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3838_ = true;
+                                                    phi_3966_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1017] = _e1009.member.member[1];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3838_ = true;
+                                                    phi_3966_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1017] = _e1009.member.member[2];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3838_ = true;
+                                                    phi_3966_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1017] = _e1009.member.member_1[0];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3838_ = true;
+                                                    phi_3966_ = true;
                                                     break;
                                                 }
                                                 local_1[_e1017] = _e1009.member.member_1[1];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3838_ = true;
+                                                    phi_3966_ = true;
                                                     break;
                                                 }
                                                 local[_e1017] = _e1009.member.member_1[2];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_3838_ = true;
+                                                    phi_3966_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1017] = select(_e1000, _e998, (_e998 > _e1000));
+                                                local_8[_e1017] = select(_e1000, _e998, !(_e1007));
                                                 if _e1007 {
-                                                    phi_3291_ = _e917;
+                                                    phi_3416_ = _e917;
                                                 } else {
-                                                    phi_3291_ = _e922;
+                                                    phi_3416_ = _e922;
                                                 }
-                                                let _e1035 = phi_3291_;
-                                                phi_3292_ = _e1035;
-                                                phi_3293_ = (_e682 + 1u);
+                                                let _e1035 = phi_3416_;
+                                                phi_3417_ = (_e680 + 1u);
+                                                phi_3418_ = _e1035;
                                             } else {
-                                                phi_3292_ = type_51();
-                                                phi_3293_ = u32();
+                                                phi_3417_ = u32();
+                                                phi_3418_ = type_51();
                                             }
-                                            let _e1037 = phi_3292_;
-                                            let _e1039 = phi_3293_;
-                                            phi_3295_ = _e1037;
-                                            phi_3296_ = _e1039;
-                                            phi_3297_ = select(true, false, _e1006);
+                                            let _e1037 = phi_3417_;
+                                            let _e1039 = phi_3418_;
+                                            phi_3420_ = _e1037;
+                                            phi_3421_ = _e1039;
+                                            phi_3422_ = select(true, false, _e1006);
                                         } else {
-                                            phi_3295_ = type_51();
-                                            phi_3296_ = u32();
-                                            phi_3297_ = true;
+                                            phi_3420_ = u32();
+                                            phi_3421_ = type_51();
+                                            phi_3422_ = true;
                                         }
-                                        let _e1042 = phi_3295_;
-                                        let _e1044 = phi_3296_;
-                                        let _e1046 = phi_3297_;
+                                        let _e1042 = phi_3420_;
+                                        let _e1044 = phi_3421_;
+                                        let _e1046 = phi_3422_;
                                         if _e1046 {
                                             if _e1005 {
-                                                phi_3304_ = _e917;
+                                                phi_3429_ = _e917;
                                             } else {
-                                                phi_3304_ = _e922;
+                                                phi_3429_ = _e922;
                                             }
-                                            let _e1048 = phi_3304_;
-                                            phi_3309_ = _e1048;
-                                            phi_3310_ = select(_e1006, true, _e1005);
+                                            let _e1048 = phi_3429_;
+                                            phi_3434_ = select(_e1006, true, _e1005);
+                                            phi_3436_ = _e1048;
                                         } else {
-                                            phi_3309_ = _e1042;
-                                            phi_3310_ = _e680;
+                                            phi_3434_ = _e678;
+                                            phi_3436_ = _e1044;
                                         }
-                                        let _e1051 = phi_3309_;
-                                        let _e1053 = phi_3310_;
-                                        phi_3923_ = _e640;
-                                        phi_3842_ = _e638;
-                                        phi_3312_ = _e1051;
-                                        phi_3313_ = _e1053;
-                                        phi_3314_ = select(_e1044, _e682, _e1046);
+                                        let _e1051 = phi_3434_;
+                                        let _e1053 = phi_3436_;
+                                        phi_4051_ = _e640;
+                                        phi_3970_ = _e638;
+                                        phi_3440_ = _e1051;
+                                        phi_3441_ = select(_e1042, _e680, _e1046);
+                                        phi_3442_ = _e1053;
                                     }
-                                    let _e1706 = phi_3923_;
-                                    let _e1708 = phi_3842_;
-                                    let _e1710 = phi_3312_;
-                                    let _e1712 = phi_3313_;
-                                    let _e1714 = phi_3314_;
-                                    phi_3922_ = _e1706;
-                                    phi_3841_ = _e1708;
-                                    phi_3315_ = _e1710;
-                                    phi_3316_ = (_e644 - 1u);
-                                    phi_3317_ = _e1712;
-                                    phi_3318_ = _e1714;
+                                    let _e1706 = phi_4051_;
+                                    let _e1708 = phi_3970_;
+                                    let _e1710 = phi_3440_;
+                                    let _e1712 = phi_3441_;
+                                    let _e1714 = phi_3442_;
+                                    phi_4050_ = _e1706;
+                                    phi_3969_ = _e1708;
+                                    phi_3443_ = _e1710;
+                                    phi_3444_ = (_e644 - 1u);
+                                    phi_3445_ = _e1712;
+                                    phi_3446_ = _e1714;
                                 } else {
-                                    phi_3922_ = _e640;
-                                    phi_3841_ = _e638;
-                                    phi_3315_ = _e678;
-                                    phi_3316_ = _e644;
-                                    phi_3317_ = _e680;
-                                    phi_3318_ = _e682;
+                                    phi_4050_ = _e640;
+                                    phi_3969_ = _e638;
+                                    phi_3443_ = _e678;
+                                    phi_3444_ = _e644;
+                                    phi_3445_ = _e680;
+                                    phi_3446_ = _e682;
                                 }
-                                let _e1716 = phi_3922_;
-                                let _e1718 = phi_3841_;
-                                let _e1720 = phi_3315_;
-                                let _e1722 = phi_3316_;
-                                let _e1724 = phi_3317_;
-                                let _e1726 = phi_3318_;
-                                phi_3921_ = _e1716;
-                                phi_3840_ = _e1718;
-                                phi_3319_ = _e1720;
-                                phi_3320_ = _e1722;
-                                phi_3321_ = _e1724;
-                                phi_3322_ = _e1726;
+                                let _e1716 = phi_4050_;
+                                let _e1718 = phi_3969_;
+                                let _e1720 = phi_3443_;
+                                let _e1722 = phi_3444_;
+                                let _e1724 = phi_3445_;
+                                let _e1726 = phi_3446_;
+                                phi_4049_ = _e1716;
+                                phi_3968_ = _e1718;
+                                phi_3447_ = _e1720;
+                                phi_3448_ = _e1722;
+                                phi_3449_ = _e1724;
+                                phi_3450_ = _e1726;
                             } else {
-                                phi_3921_ = _e640;
-                                phi_3840_ = _e638;
-                                phi_3319_ = type_51();
-                                phi_3320_ = u32();
-                                phi_3321_ = bool();
-                                phi_3322_ = u32();
+                                phi_4049_ = _e640;
+                                phi_3968_ = _e638;
+                                phi_3447_ = bool();
+                                phi_3448_ = u32();
+                                phi_3449_ = u32();
+                                phi_3450_ = type_51();
                             }
-                            let _e1728 = phi_3921_;
-                            let _e1730 = phi_3840_;
-                            let _e1732 = phi_3319_;
-                            let _e1734 = phi_3320_;
-                            let _e1736 = phi_3321_;
-                            let _e1738 = phi_3322_;
-                            phi_3920_ = _e1728;
-                            phi_3839_ = _e1730;
-                            phi_1136_ = _e1732;
-                            phi_1139_ = _e1734;
-                            phi_1141_ = _e1736;
-                            phi_1143_ = _e1738;
-                            phi_3323_ = _e652;
+                            let _e1728 = phi_4049_;
+                            let _e1730 = phi_3968_;
+                            let _e1732 = phi_3447_;
+                            let _e1734 = phi_3448_;
+                            let _e1736 = phi_3449_;
+                            let _e1738 = phi_3450_;
+                            phi_4048_ = _e1728;
+                            phi_3967_ = _e1730;
+                            phi_1162_ = _e1732;
+                            phi_1165_ = _e1734;
+                            phi_1167_ = _e1736;
+                            phi_1169_ = _e1738;
+                            phi_3451_ = _e652;
                         } else {
-                            phi_3920_ = _e640;
-                            phi_3839_ = _e638;
-                            phi_1136_ = type_51();
-                            phi_1139_ = u32();
-                            phi_1141_ = bool();
-                            phi_1143_ = u32();
-                            phi_3323_ = false;
+                            phi_4048_ = _e640;
+                            phi_3967_ = _e638;
+                            phi_1162_ = bool();
+                            phi_1165_ = u32();
+                            phi_1167_ = u32();
+                            phi_1169_ = type_51();
+                            phi_3451_ = false;
                         }
-                        let _e1740 = phi_3920_;
-                        let _e1742 = phi_3839_;
-                        let _e1744 = phi_1136_;
-                        let _e1746 = phi_1139_;
-                        let _e1748 = phi_1141_;
-                        let _e1750 = phi_1143_;
-                        let _e1752 = phi_3323_;
+                        let _e1740 = phi_4048_;
+                        let _e1742 = phi_3967_;
+                        let _e1744 = phi_1162_;
+                        let _e1746 = phi_1165_;
+                        let _e1748 = phi_1167_;
+                        let _e1750 = phi_1169_;
+                        let _e1752 = phi_3451_;
                         continue;
                         continuing {
-                            phi_3685_ = _e1742;
-                            phi_3641_ = _e1740;
-                            phi_1135_ = _e1744;
-                            phi_1138_ = _e1746;
-                            phi_1140_ = _e1748;
-                            phi_1142_ = _e1750;
-                            phi_3838_ = _e1742;
+                            phi_3813_ = _e1742;
+                            phi_3770_ = _e1740;
+                            phi_1161_ = _e1744;
+                            phi_1164_ = _e1746;
+                            phi_1166_ = _e1748;
+                            phi_1168_ = _e1750;
+                            phi_3966_ = _e1742;
                             break if !(_e1752);
                         }
                     }
-                    let _e1755 = phi_3838_;
+                    let _e1755 = phi_3966_;
                     if _e1755 {
                         break;
                     }
-                    phi_3330_ = type_4(0u, 8u);
+                    phi_3458_ = type_4(0u, 8u);
                     loop {
-                        let _e1757 = phi_3330_;
+                        let _e1757 = phi_3458_;
                         if (_e1757.member < _e1757.member_1) {
-                            phi_3331_ = type_4((_e1757.member + 1u), _e1757.member_1);
-                            phi_3354_ = type_4(1u, _e1757.member);
+                            phi_3459_ = type_4((_e1757.member + 1u), _e1757.member_1);
+                            phi_3482_ = type_4(1u, _e1757.member);
                         } else {
-                            phi_3331_ = _e1757;
-                            phi_3354_ = type_4(0u, type_4().member_1);
+                            phi_3459_ = _e1757;
+                            phi_3482_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1770 = phi_3331_;
-                        let _e1772 = phi_3354_;
+                        let _e1770 = phi_3459_;
+                        let _e1772 = phi_3482_;
                         let _e1776 = (bitcast<i32>(_e1772.member) != 0i);
                         if _e1776 {
                             let _e1777 = (_e1772.member_1 < 8u);
                             if _e1777 {
                             } else {
-                                phi_3902_ = true;
+                                phi_4030_ = true;
                                 break;
                             }
                             let _e1779 = local_7[_e1772.member_1];
@@ -1538,125 +1538,125 @@ fn function_() {
                                 let _e1790 = (bitcast<i32>((_e1786 >> bitcast<u32>(23i))) & 255i);
                                 let _e1791 = (_e1790 + _e1785);
                                 if (_e1790 == 255i) {
-                                    phi_3427_ = _e1779.member;
+                                    phi_3555_ = _e1779.member;
                                 } else {
                                     if (_e1790 > 0i) {
                                         if (_e1791 > 0i) {
                                             let _e1795 = (_e1791 < 255i);
                                             if _e1795 {
-                                                phi_3406_ = bitcast<f32>((_e1786 + bitcast<u32>((_e1785 << bitcast<u32>(23i)))));
+                                                phi_3534_ = bitcast<f32>((_e1786 + bitcast<u32>((_e1785 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3406_ = f32();
+                                                phi_3534_ = f32();
                                             }
-                                            let _e1802 = phi_3406_;
-                                            phi_3408_ = _e1802;
-                                            phi_3409_ = select(true, false, _e1795);
+                                            let _e1802 = phi_3534_;
+                                            phi_3536_ = _e1802;
+                                            phi_3537_ = select(true, false, _e1795);
                                         } else {
-                                            phi_3408_ = f32();
-                                            phi_3409_ = true;
+                                            phi_3536_ = f32();
+                                            phi_3537_ = true;
                                         }
-                                        let _e1805 = phi_3408_;
-                                        let _e1807 = phi_3409_;
-                                        phi_3410_ = _e1805;
-                                        phi_3411_ = _e1807;
+                                        let _e1805 = phi_3536_;
+                                        let _e1807 = phi_3537_;
+                                        phi_3538_ = _e1805;
+                                        phi_3539_ = _e1807;
                                     } else {
-                                        phi_3410_ = f32();
-                                        phi_3411_ = true;
+                                        phi_3538_ = f32();
+                                        phi_3539_ = true;
                                     }
-                                    let _e1809 = phi_3410_;
-                                    let _e1811 = phi_3411_;
+                                    let _e1809 = phi_3538_;
+                                    let _e1811 = phi_3539_;
                                     if _e1811 {
                                         let _e1812 = (_e1786 & 2147483648u);
                                         let _e1819 = ((_e1786 & 8388607u) | (select(0u, 1u, ((_e1786 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                         let _e1823 = (_e1819 == 0u);
                                         if _e1823 {
-                                            phi_3600_ = bitcast<f32>(_e1812);
+                                            phi_3728_ = bitcast<f32>(_e1812);
                                         } else {
                                             let _e1828 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1819)), 32u, _e1823) - 8u);
                                             let _e1831 = (_e1819 << bitcast<u32>((_e1828 & 31u)));
                                             let _e1833 = ((_e1791 + select(0i, 1i, (_e1790 == 0i))) - bitcast<i32>(_e1828));
                                             if (_e1833 >= 255i) {
-                                                phi_3590_ = bitcast<f32>((_e1812 | 2139095040u));
-                                                phi_3591_ = f32();
-                                                phi_3592_ = true;
+                                                phi_3718_ = bitcast<f32>((_e1812 | 2139095040u));
+                                                phi_3719_ = f32();
+                                                phi_3720_ = true;
                                             } else {
                                                 let _e1835 = (_e1833 > 0i);
                                                 if _e1835 {
-                                                    phi_3584_ = bitcast<f32>(((_e1812 | (bitcast<u32>(_e1833) << bitcast<u32>(23i))) | (_e1831 & 8388607u)));
-                                                    phi_3585_ = f32();
+                                                    phi_3712_ = bitcast<f32>(((_e1812 | (bitcast<u32>(_e1833) << bitcast<u32>(23i))) | (_e1831 & 8388607u)));
+                                                    phi_3713_ = f32();
                                                 } else {
                                                     if (_e1833 < -24i) {
-                                                        phi_3550_ = 26u;
+                                                        phi_3678_ = 26u;
                                                     } else {
-                                                        phi_3550_ = bitcast<u32>((1i - _e1833));
+                                                        phi_3678_ = bitcast<u32>((1i - _e1833));
                                                     }
-                                                    let _e1840 = phi_3550_;
+                                                    let _e1840 = phi_3678_;
                                                     let _e1841 = (_e1840 & 31u);
                                                     let _e1843 = (_e1831 >> bitcast<u32>(_e1841));
                                                     let _e1847 = (_e1831 & ((1u << bitcast<u32>(_e1841)) - 1u));
                                                     let _e1851 = (1u << bitcast<u32>(((_e1840 - 1u) & 31u)));
                                                     if (_e1847 > _e1851) {
-                                                        phi_3571_ = true;
+                                                        phi_3699_ = true;
                                                     } else {
                                                         if (_e1847 == _e1851) {
-                                                            phi_3568_ = ((_e1843 & 1u) == 1u);
+                                                            phi_3696_ = ((_e1843 & 1u) == 1u);
                                                         } else {
-                                                            phi_3568_ = false;
+                                                            phi_3696_ = false;
                                                         }
-                                                        let _e1857 = phi_3568_;
-                                                        phi_3571_ = _e1857;
+                                                        let _e1857 = phi_3696_;
+                                                        phi_3699_ = _e1857;
                                                     }
-                                                    let _e1859 = phi_3571_;
-                                                    phi_3584_ = f32();
-                                                    phi_3585_ = bitcast<f32>((_e1812 | (_e1843 + select(0u, 1u, _e1859))));
+                                                    let _e1859 = phi_3699_;
+                                                    phi_3712_ = f32();
+                                                    phi_3713_ = bitcast<f32>((_e1812 | (_e1843 + select(0u, 1u, _e1859))));
                                                 }
-                                                let _e1872 = phi_3584_;
-                                                let _e1874 = phi_3585_;
-                                                phi_3590_ = _e1872;
-                                                phi_3591_ = _e1874;
-                                                phi_3592_ = _e1835;
+                                                let _e1872 = phi_3712_;
+                                                let _e1874 = phi_3713_;
+                                                phi_3718_ = _e1872;
+                                                phi_3719_ = _e1874;
+                                                phi_3720_ = _e1835;
                                             }
-                                            let _e1878 = phi_3590_;
-                                            let _e1880 = phi_3591_;
-                                            let _e1882 = phi_3592_;
-                                            phi_3600_ = select(_e1880, _e1878, _e1882);
+                                            let _e1878 = phi_3718_;
+                                            let _e1880 = phi_3719_;
+                                            let _e1882 = phi_3720_;
+                                            phi_3728_ = select(_e1880, _e1878, _e1882);
                                         }
-                                        let _e1886 = phi_3600_;
-                                        phi_3426_ = _e1886;
+                                        let _e1886 = phi_3728_;
+                                        phi_3554_ = _e1886;
                                     } else {
-                                        phi_3426_ = _e1809;
+                                        phi_3554_ = _e1809;
                                     }
-                                    let _e1888 = phi_3426_;
-                                    phi_3427_ = _e1888;
+                                    let _e1888 = phi_3554_;
+                                    phi_3555_ = _e1888;
                                 }
-                                let _e1890 = phi_3427_;
+                                let _e1890 = phi_3555_;
                                 let _e1891 = bitcast<u32>(_e1890);
                                 if ((_e1891 & 2147483647u) >= 2139095040u) {
-                                    phi_3439_ = bitcast<f32>(((_e1891 & 2147483648u) | 2139095039u));
+                                    phi_3567_ = bitcast<f32>(((_e1891 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3439_ = _e1890;
+                                    phi_3567_ = _e1890;
                                 }
-                                let _e1898 = phi_3439_;
-                                phi_3444_ = type_22(_e1898, _e1779.member_1, _e1779.member_2, _e1779.member_3);
+                                let _e1898 = phi_3567_;
+                                phi_3572_ = type_22(_e1898, _e1779.member_1, _e1779.member_2, _e1779.member_3);
                             } else {
-                                phi_3444_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3572_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1901 = phi_3444_;
+                            let _e1901 = phi_3572_;
                             if _e1777 {
                             } else {
-                                phi_3902_ = true;
+                                phi_4030_ = true;
                                 break;
                             }
                             local_7[_e1772.member_1] = type_22(_e1901.member, _e1901.member_1, _e1901.member_2, _e1901.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3330_ = _e1770;
-                            phi_3902_ = _e1755;
+                            phi_3458_ = _e1770;
+                            phi_4030_ = _e1755;
                             break if !(_e1776);
                         }
                     }
-                    let _e1909 = phi_3902_;
+                    let _e1909 = phi_4030_;
                     if _e1909 {
                         break;
                     }

@@ -89,169 +89,169 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_424_: i32;
-    var phi_425_: i32;
-    var phi_435_: bool;
-    var phi_445_: u32;
-    var phi_446_: u32;
-    var phi_448_: bool;
-    var phi_453_: u32;
-    var phi_465_: i32;
-    var phi_485_: i32;
-    var phi_503_: f32;
-    var phi_509_: f32;
-    var phi_549_: f32;
-    var phi_555_: f32;
-    var phi_607_: f32;
-    var phi_618_: f32;
-    var phi_627_: f32;
-    var phi_633_: f32;
-    var phi_673_: f32;
-    var phi_679_: f32;
-    var phi_731_: f32;
+    var phi_433_: i32;
+    var phi_434_: i32;
+    var phi_444_: bool;
+    var phi_454_: u32;
+    var phi_455_: u32;
+    var phi_457_: bool;
+    var phi_462_: u32;
+    var phi_475_: i32;
+    var phi_495_: i32;
+    var phi_513_: f32;
+    var phi_519_: f32;
+    var phi_559_: f32;
+    var phi_565_: f32;
+    var phi_617_: f32;
+    var phi_629_: f32;
+    var phi_638_: f32;
+    var phi_644_: f32;
+    var phi_684_: f32;
+    var phi_690_: f32;
     var phi_742_: f32;
-    var phi_751_: f32;
-    var phi_757_: f32;
-    var phi_797_: f32;
-    var phi_803_: f32;
-    var phi_855_: f32;
-    var phi_866_: f32;
-    var phi_921_: i32;
-    var phi_943_: u32;
-    var phi_944_: u32;
-    var phi_981_: i32;
-    var phi_1003_: u32;
-    var phi_1004_: u32;
-    var phi_1012_: f32;
-    var phi_1013_: f32;
-    var phi_3910_: bool;
-    var phi_3830_: f32;
-    var phi_1139_: type_52;
-    var phi_1142_: u32;
-    var phi_1144_: bool;
-    var phi_1146_: u32;
-    var phi_1157_: bool;
-    var phi_1244_: type_52;
-    var phi_1245_: bool;
-    var phi_1246_: u32;
-    var phi_2546_: type_39;
-    var phi_3403_: type_52;
-    var phi_3480_: type_52;
-    var phi_3481_: type_52;
-    var phi_3482_: u32;
-    var phi_3484_: type_52;
-    var phi_3485_: u32;
-    var phi_3486_: bool;
-    var phi_3493_: type_52;
-    var phi_3498_: type_52;
-    var phi_3499_: bool;
-    var phi_3907_: bool;
-    var phi_3879_: f32;
-    var phi_1265_: type_4;
-    var phi_1266_: type_4;
-    var phi_1289_: type_4;
-    var phi_1314_: u32;
-    var phi_1330_: type_46;
-    var phi_1725_: bool;
-    var phi_1754_: bool;
-    var phi_2131_: f32;
-    var phi_2132_: f32;
-    var phi_2133_: f32;
-    var phi_2134_: f32;
-    var phi_2135_: vec3<f32>;
-    var phi_2136_: vec3<f32>;
-    var phi_2137_: vec3<f32>;
-    var phi_2138_: vec3<f32>;
-    var phi_2169_: bool;
-    var phi_2178_: vec3<f32>;
-    var phi_2343_: f32;
-    var phi_2345_: f32;
-    var phi_2346_: bool;
-    var phi_2366_: f32;
-    var phi_2367_: f32;
-    var phi_2390_: type_18;
-    var phi_2392_: type_18;
-    var phi_2393_: bool;
-    var phi_2397_: type_18;
-    var phi_2398_: type_18;
-    var phi_2399_: type_18;
-    var phi_2400_: bool;
-    var phi_2404_: type_18;
-    var phi_2405_: bool;
-    var phi_2406_: type_18;
-    var phi_2407_: bool;
-    var phi_2408_: bool;
-    var phi_2409_: type_18;
-    var phi_2410_: bool;
-    var phi_2411_: bool;
-    var phi_2419_: type_18;
-    var phi_2420_: bool;
-    var phi_2424_: type_18;
-    var phi_2436_: type_4;
-    var phi_2439_: type_18;
-    var phi_2437_: type_4;
-    var phi_2462_: type_4;
-    var phi_2494_: bool;
-    var phi_2495_: bool;
-    var phi_2516_: type_18;
-    var phi_2440_: type_18;
-    var phi_3880_: bool;
-    var phi_4274_: f32;
-    var phi_4273_: f32;
-    var phi_4061_: bool;
-    var phi_4272_: f32;
-    var phi_4060_: bool;
-    var phi_4271_: f32;
-    var phi_4059_: bool;
-    var phi_4183_: f32;
-    var phi_4058_: bool;
-    var phi_4148_: f32;
-    var phi_4067_: bool;
-    var phi_3501_: type_52;
-    var phi_3502_: bool;
-    var phi_3503_: u32;
-    var phi_4147_: f32;
-    var phi_4066_: bool;
-    var phi_3504_: type_52;
-    var phi_3505_: u32;
-    var phi_3506_: bool;
-    var phi_3507_: u32;
-    var phi_4146_: f32;
-    var phi_4065_: bool;
-    var phi_3508_: type_52;
-    var phi_3509_: u32;
-    var phi_3510_: bool;
-    var phi_3511_: u32;
-    var phi_4145_: f32;
-    var phi_4064_: bool;
-    var phi_1140_: type_52;
-    var phi_1143_: u32;
-    var phi_1145_: bool;
-    var phi_1147_: u32;
-    var phi_3512_: bool;
-    var phi_4063_: bool;
-    var phi_3519_: type_4;
-    var phi_3520_: type_4;
-    var phi_3543_: type_4;
-    var phi_3595_: f32;
-    var phi_3597_: f32;
-    var phi_3598_: bool;
-    var phi_3599_: f32;
-    var phi_3600_: bool;
-    var phi_3739_: u32;
-    var phi_3757_: bool;
-    var phi_3760_: bool;
-    var phi_3773_: f32;
-    var phi_3774_: f32;
-    var phi_3779_: f32;
-    var phi_3780_: f32;
-    var phi_3781_: bool;
-    var phi_3789_: f32;
-    var phi_3615_: f32;
-    var phi_3616_: f32;
-    var phi_3628_: f32;
-    var phi_3633_: type_18;
-    var phi_4127_: bool;
+    var phi_754_: f32;
+    var phi_763_: f32;
+    var phi_769_: f32;
+    var phi_809_: f32;
+    var phi_815_: f32;
+    var phi_867_: f32;
+    var phi_879_: f32;
+    var phi_934_: i32;
+    var phi_956_: u32;
+    var phi_957_: u32;
+    var phi_994_: i32;
+    var phi_1016_: u32;
+    var phi_1017_: u32;
+    var phi_1025_: f32;
+    var phi_1026_: f32;
+    var phi_4043_: bool;
+    var phi_3964_: f32;
+    var phi_1164_: bool;
+    var phi_1167_: u32;
+    var phi_1169_: u32;
+    var phi_1171_: type_52;
+    var phi_1182_: bool;
+    var phi_1269_: bool;
+    var phi_1270_: u32;
+    var phi_1271_: type_52;
+    var phi_2646_: type_39;
+    var phi_3533_: type_52;
+    var phi_3610_: type_52;
+    var phi_3611_: u32;
+    var phi_3612_: type_52;
+    var phi_3614_: u32;
+    var phi_3615_: type_52;
+    var phi_3616_: bool;
+    var phi_3623_: type_52;
+    var phi_3628_: bool;
+    var phi_3630_: type_52;
+    var phi_4040_: bool;
+    var phi_4012_: f32;
+    var phi_1290_: type_4;
+    var phi_1291_: type_4;
+    var phi_1314_: type_4;
+    var phi_1339_: u32;
+    var phi_1355_: type_46;
+    var phi_1794_: bool;
+    var phi_1823_: bool;
+    var phi_2218_: f32;
+    var phi_2219_: f32;
+    var phi_2220_: f32;
+    var phi_2221_: f32;
+    var phi_2222_: vec3<f32>;
+    var phi_2223_: vec3<f32>;
+    var phi_2224_: vec3<f32>;
+    var phi_2225_: vec3<f32>;
+    var phi_2262_: bool;
+    var phi_2271_: vec3<f32>;
+    var phi_2436_: f32;
+    var phi_2438_: f32;
+    var phi_2439_: bool;
+    var phi_2459_: f32;
+    var phi_2460_: f32;
+    var phi_2483_: type_18;
+    var phi_2485_: type_18;
+    var phi_2486_: bool;
+    var phi_2490_: type_18;
+    var phi_2491_: type_18;
+    var phi_2492_: type_18;
+    var phi_2493_: bool;
+    var phi_2497_: type_18;
+    var phi_2498_: bool;
+    var phi_2499_: type_18;
+    var phi_2500_: bool;
+    var phi_2501_: bool;
+    var phi_2502_: type_18;
+    var phi_2503_: bool;
+    var phi_2504_: bool;
+    var phi_2512_: type_18;
+    var phi_2513_: bool;
+    var phi_2517_: type_18;
+    var phi_2529_: type_4;
+    var phi_2532_: type_18;
+    var phi_2530_: type_4;
+    var phi_2555_: type_4;
+    var phi_2587_: bool;
+    var phi_2588_: bool;
+    var phi_2609_: type_18;
+    var phi_2533_: type_18;
+    var phi_4013_: bool;
+    var phi_4407_: f32;
+    var phi_4406_: f32;
+    var phi_4194_: bool;
+    var phi_4405_: f32;
+    var phi_4193_: bool;
+    var phi_4404_: f32;
+    var phi_4192_: bool;
+    var phi_4316_: f32;
+    var phi_4191_: bool;
+    var phi_4281_: f32;
+    var phi_4200_: bool;
+    var phi_3634_: bool;
+    var phi_3635_: u32;
+    var phi_3636_: type_52;
+    var phi_4280_: f32;
+    var phi_4199_: bool;
+    var phi_3637_: bool;
+    var phi_3638_: u32;
+    var phi_3639_: u32;
+    var phi_3640_: type_52;
+    var phi_4279_: f32;
+    var phi_4198_: bool;
+    var phi_3641_: bool;
+    var phi_3642_: u32;
+    var phi_3643_: u32;
+    var phi_3644_: type_52;
+    var phi_4278_: f32;
+    var phi_4197_: bool;
+    var phi_1165_: bool;
+    var phi_1168_: u32;
+    var phi_1170_: u32;
+    var phi_1172_: type_52;
+    var phi_3645_: bool;
+    var phi_4196_: bool;
+    var phi_3652_: type_4;
+    var phi_3653_: type_4;
+    var phi_3676_: type_4;
+    var phi_3728_: f32;
+    var phi_3730_: f32;
+    var phi_3731_: bool;
+    var phi_3732_: f32;
+    var phi_3733_: bool;
+    var phi_3872_: u32;
+    var phi_3890_: bool;
+    var phi_3893_: bool;
+    var phi_3906_: f32;
+    var phi_3907_: f32;
+    var phi_3912_: f32;
+    var phi_3913_: f32;
+    var phi_3914_: bool;
+    var phi_3922_: f32;
+    var phi_3748_: f32;
+    var phi_3749_: f32;
+    var phi_3761_: f32;
+    var phi_3766_: type_18;
+    var phi_4260_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -302,211 +302,211 @@ fn function_() {
                     if _e213 {
                         let _e216 = (bitcast<u32>(bitcast<f32>(_e188)) & 2147483647u);
                         if (_e216 >= 8388608u) {
-                            phi_424_ = (bitcast<i32>((_e216 >> bitcast<u32>(23i))) - 127i);
+                            phi_433_ = (bitcast<i32>((_e216 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_424_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u))));
+                            phi_433_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u))));
                         }
-                        let _e230 = phi_424_;
-                        phi_425_ = _e230;
+                        let _e230 = phi_433_;
+                        phi_434_ = _e230;
                     } else {
-                        phi_425_ = 0i;
+                        phi_434_ = 0i;
                     }
-                    let _e232 = phi_425_;
+                    let _e232 = phi_434_;
                     let _e233 = (_e149 == _e188);
                     if _e233 {
-                        phi_435_ = true;
+                        phi_444_ = true;
                     } else {
-                        phi_435_ = (_e156 == _e188);
+                        phi_444_ = (_e156 == _e188);
                     }
-                    let _e236 = phi_435_;
+                    let _e236 = phi_444_;
                     let _e237 = select(1u, 0u, _e233);
                     if _e236 {
                         let _e238 = (_e237 + 1u);
-                        phi_445_ = _e238;
-                        phi_446_ = _e238;
-                        phi_448_ = select(true, false, (_e238 == 2u));
+                        phi_454_ = _e238;
+                        phi_455_ = _e238;
+                        phi_457_ = select(true, false, (_e238 == 2u));
                     } else {
-                        phi_445_ = u32();
-                        phi_446_ = 0u;
-                        phi_448_ = true;
+                        phi_454_ = u32();
+                        phi_455_ = 0u;
+                        phi_457_ = true;
                     }
-                    let _e242 = phi_445_;
-                    let _e244 = phi_446_;
-                    let _e246 = phi_448_;
+                    let _e242 = phi_454_;
+                    let _e244 = phi_455_;
+                    let _e246 = phi_457_;
                     if _e246 {
-                        phi_453_ = (_e244 + 1u);
+                        phi_462_ = (_e244 + 1u);
                     } else {
-                        phi_453_ = 0u;
+                        phi_462_ = 0u;
                     }
-                    let _e250 = phi_453_;
+                    let _e250 = phi_462_;
                     let _e251 = select(_e242, _e244, _e246);
                     let _e252 = select(_e237, select(2u, _e237, _e236), _e246);
                     if (_e127 < -126i) {
-                        phi_465_ = -126i;
+                        phi_475_ = -126i;
                     } else {
-                        phi_465_ = select(_e127, 127i, (_e127 > 127i));
+                        phi_475_ = select(_e127, 127i, (_e127 > 127i));
                     }
-                    let _e257 = phi_465_;
+                    let _e257 = phi_475_;
                     let _e262 = bitcast<f32>((bitcast<u32>((_e257 + 127i)) << bitcast<u32>(23i)));
                     let _e268 = bitcast<f32>((bitcast<u32>(((_e127 - _e257) + 127i)) << bitcast<u32>(23i)));
                     let _e269 = -(_e232);
                     if (_e269 < -126i) {
-                        phi_485_ = -126i;
+                        phi_495_ = -126i;
                     } else {
-                        phi_485_ = select(_e269, 127i, (_e269 > 127i));
+                        phi_495_ = select(_e269, 127i, (_e269 > 127i));
                     }
-                    let _e274 = phi_485_;
+                    let _e274 = phi_495_;
                     let _e279 = bitcast<f32>((bitcast<u32>((_e274 + 127i)) << bitcast<u32>(23i)));
                     let _e285 = bitcast<f32>((bitcast<u32>(((_e269 - _e274) + 127i)) << bitcast<u32>(23i)));
                     let _e289 = global_3.member[_e137].member;
                     let _e290 = (_e251 == 0u);
                     if _e290 {
-                        phi_503_ = _e289[0];
+                        phi_513_ = _e289[0];
                     } else {
-                        phi_503_ = _e289[1];
+                        phi_513_ = _e289[1];
                     }
-                    let _e294 = phi_503_;
+                    let _e294 = phi_513_;
                     let _e295 = (_e251 == 2u);
                     if _e295 {
-                        phi_509_ = _e289[2];
+                        phi_519_ = _e289[2];
                     } else {
-                        phi_509_ = _e294;
+                        phi_519_ = _e294;
                     }
-                    let _e298 = phi_509_;
+                    let _e298 = phi_519_;
                     let _e299 = bitcast<u32>(_e298);
                     let _e301 = ((_e299 & 2139095040u) != 0u);
                     let _e315 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e299 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e299 & 2147483648u))), _e298, _e301) * _e262) * select(0.00000011920929f, 1f, _e301)) * _e268);
                     let _e316 = global_3.member[_e137].member_2;
                     if _e290 {
-                        phi_549_ = _e316[0];
+                        phi_559_ = _e316[0];
                     } else {
-                        phi_549_ = _e316[1];
+                        phi_559_ = _e316[1];
                     }
-                    let _e320 = phi_549_;
+                    let _e320 = phi_559_;
                     if _e295 {
-                        phi_555_ = _e316[2];
+                        phi_565_ = _e316[2];
                     } else {
-                        phi_555_ = _e320;
+                        phi_565_ = _e320;
                     }
-                    let _e323 = phi_555_;
+                    let _e323 = phi_565_;
                     let _e324 = bitcast<u32>(_e323);
                     let _e326 = ((_e324 & 2139095040u) != 0u);
                     let _e340 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e324 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e324 & 2147483648u))), _e323, _e326) * _e279) * select(0.00000011920929f, 1f, _e326)) * _e285);
                     let _e344 = (bitcast<f32>((bitcast<u32>(_e340) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e344 {
                         let _e348 = (bitcast<f32>((bitcast<u32>(_e315) & 2147483647u)) * 0.00000011920929f);
-                        phi_607_ = select(0.00000000000011368684f, _e348, (_e348 > 0.00000000000011368684f));
+                        phi_617_ = select(0.00000000000011368684f, _e348, (_e348 > 0.00000000000011368684f));
                     } else {
-                        phi_607_ = 0f;
+                        phi_617_ = 0f;
                     }
-                    let _e352 = phi_607_;
+                    let _e352 = phi_617_;
                     let _e353 = (_e315 + _e352);
                     let _e354 = (_e315 - _e352);
                     let _e355 = select(_e340, 0f, _e344);
                     if _e344 {
-                        phi_618_ = 38685626000000000000000000f;
+                        phi_629_ = 38685626000000000000000000f;
                     } else {
-                        phi_618_ = (1f / _e340);
+                        phi_629_ = (1f / _e340);
                     }
-                    let _e358 = phi_618_;
+                    let _e358 = phi_629_;
                     let _e359 = (_e250 == 0u);
                     if _e359 {
-                        phi_627_ = _e289[0];
+                        phi_638_ = _e289[0];
                     } else {
-                        phi_627_ = _e289[1];
+                        phi_638_ = _e289[1];
                     }
-                    let _e363 = phi_627_;
+                    let _e363 = phi_638_;
                     let _e364 = (_e250 == 2u);
                     if _e364 {
-                        phi_633_ = _e289[2];
+                        phi_644_ = _e289[2];
                     } else {
-                        phi_633_ = _e363;
+                        phi_644_ = _e363;
                     }
-                    let _e367 = phi_633_;
+                    let _e367 = phi_644_;
                     let _e368 = bitcast<u32>(_e367);
                     let _e370 = ((_e368 & 2139095040u) != 0u);
                     let _e384 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e368 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e368 & 2147483648u))), _e367, _e370) * _e262) * select(0.00000011920929f, 1f, _e370)) * _e268);
                     if _e359 {
-                        phi_673_ = _e316[0];
+                        phi_684_ = _e316[0];
                     } else {
-                        phi_673_ = _e316[1];
+                        phi_684_ = _e316[1];
                     }
-                    let _e388 = phi_673_;
+                    let _e388 = phi_684_;
                     if _e364 {
-                        phi_679_ = _e316[2];
+                        phi_690_ = _e316[2];
                     } else {
-                        phi_679_ = _e388;
+                        phi_690_ = _e388;
                     }
-                    let _e391 = phi_679_;
+                    let _e391 = phi_690_;
                     let _e392 = bitcast<u32>(_e391);
                     let _e394 = ((_e392 & 2139095040u) != 0u);
                     let _e408 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e392 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e392 & 2147483648u))), _e391, _e394) * _e279) * select(0.00000011920929f, 1f, _e394)) * _e285);
                     let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e412 {
                         let _e416 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) * 0.00000011920929f);
-                        phi_731_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
+                        phi_742_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
                     } else {
-                        phi_731_ = 0f;
+                        phi_742_ = 0f;
                     }
-                    let _e420 = phi_731_;
+                    let _e420 = phi_742_;
                     let _e421 = (_e384 + _e420);
                     let _e422 = (_e384 - _e420);
                     let _e423 = select(_e408, 0f, _e412);
                     if _e412 {
-                        phi_742_ = 38685626000000000000000000f;
+                        phi_754_ = 38685626000000000000000000f;
                     } else {
-                        phi_742_ = (1f / _e408);
+                        phi_754_ = (1f / _e408);
                     }
-                    let _e426 = phi_742_;
+                    let _e426 = phi_754_;
                     let _e427 = (_e252 == 0u);
                     if _e427 {
-                        phi_751_ = _e289[0];
+                        phi_763_ = _e289[0];
                     } else {
-                        phi_751_ = _e289[1];
+                        phi_763_ = _e289[1];
                     }
-                    let _e431 = phi_751_;
+                    let _e431 = phi_763_;
                     let _e432 = (_e252 == 2u);
                     if _e432 {
-                        phi_757_ = _e289[2];
+                        phi_769_ = _e289[2];
                     } else {
-                        phi_757_ = _e431;
+                        phi_769_ = _e431;
                     }
-                    let _e435 = phi_757_;
+                    let _e435 = phi_769_;
                     let _e436 = bitcast<u32>(_e435);
                     let _e438 = ((_e436 & 2139095040u) != 0u);
                     let _e452 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e436 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e436 & 2147483648u))), _e435, _e438) * _e262) * select(0.00000011920929f, 1f, _e438)) * _e268);
                     if _e427 {
-                        phi_797_ = _e316[0];
+                        phi_809_ = _e316[0];
                     } else {
-                        phi_797_ = _e316[1];
+                        phi_809_ = _e316[1];
                     }
-                    let _e456 = phi_797_;
+                    let _e456 = phi_809_;
                     if _e432 {
-                        phi_803_ = _e316[2];
+                        phi_815_ = _e316[2];
                     } else {
-                        phi_803_ = _e456;
+                        phi_815_ = _e456;
                     }
-                    let _e459 = phi_803_;
+                    let _e459 = phi_815_;
                     let _e460 = bitcast<u32>(_e459);
                     let _e462 = ((_e460 & 2139095040u) != 0u);
                     let _e476 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e460 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e460 & 2147483648u))), _e459, _e462) * _e279) * select(0.00000011920929f, 1f, _e462)) * _e285);
                     let _e480 = (bitcast<f32>((bitcast<u32>(_e476) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e480 {
                         let _e484 = (bitcast<f32>((bitcast<u32>(_e452) & 2147483647u)) * 0.00000011920929f);
-                        phi_855_ = select(0.00000000000011368684f, _e484, (_e484 > 0.00000000000011368684f));
+                        phi_867_ = select(0.00000000000011368684f, _e484, (_e484 > 0.00000000000011368684f));
                     } else {
-                        phi_855_ = 0f;
+                        phi_867_ = 0f;
                     }
-                    let _e488 = phi_855_;
+                    let _e488 = phi_867_;
                     let _e489 = (_e452 + _e488);
                     let _e490 = (_e452 - _e488);
                     let _e491 = select(_e476, 0f, _e480);
                     if _e480 {
-                        phi_866_ = 38685626000000000000000000f;
+                        phi_879_ = 38685626000000000000000000f;
                     } else {
-                        phi_866_ = (1f / _e476);
+                        phi_879_ = (1f / _e476);
                     }
-                    let _e494 = phi_866_;
+                    let _e494 = phi_879_;
                     let _e497 = bitcast<f32>((bitcast<u32>(_e315) & 2147483647u));
                     let _e500 = bitcast<f32>((bitcast<u32>(_e384) & 2147483647u));
                     let _e502 = select(_e500, _e497, (_e497 > _e500));
@@ -518,55 +518,55 @@ fn function_() {
                         let _e525 = (_e518 == 0u);
                         let _e528 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e518)), 32u, _e525)) - 8i);
                         if (_e521 == 255i) {
-                            phi_921_ = 255i;
+                            phi_934_ = 255i;
                         } else {
-                            phi_921_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
+                            phi_934_ = (((_e521 + select(0i, 1i, (_e521 == 0i))) - _e528) + _e508);
                         }
-                        let _e536 = phi_921_;
+                        let _e536 = phi_934_;
                         let _e546 = (_e536 <= 0i);
                         if _e546 {
-                            phi_944_ = u32();
+                            phi_957_ = u32();
                         } else {
                             if _e525 {
-                                phi_943_ = u32();
+                                phi_956_ = u32();
                             } else {
-                                phi_943_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
+                                phi_956_ = select(((bitcast<u32>(_e536) << bitcast<u32>(23i)) | ((_e518 << bitcast<u32>(((_e528 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e536 >= 255i));
                             }
-                            let _e550 = phi_943_;
-                            phi_944_ = _e550;
+                            let _e550 = phi_956_;
+                            phi_957_ = _e550;
                         }
-                        let _e552 = phi_944_;
+                        let _e552 = phi_957_;
                         let _e564 = ((_e209 & 8388607u) | (select(0u, 1u, ((_e209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e567 = bitcast<i32>((_e209 >> bitcast<u32>(23i)));
                         let _e571 = (_e564 == 0u);
                         let _e574 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e564)), 32u, _e571)) - 8i);
                         if (_e567 == 255i) {
-                            phi_981_ = 255i;
+                            phi_994_ = 255i;
                         } else {
-                            phi_981_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
+                            phi_994_ = (((_e567 + select(0i, 1i, (_e567 == 0i))) - _e574) + _e508);
                         }
-                        let _e582 = phi_981_;
+                        let _e582 = phi_994_;
                         let _e592 = (_e582 <= 0i);
                         if _e592 {
-                            phi_1004_ = u32();
+                            phi_1017_ = u32();
                         } else {
                             if _e571 {
-                                phi_1003_ = u32();
+                                phi_1016_ = u32();
                             } else {
-                                phi_1003_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
+                                phi_1016_ = select(((bitcast<u32>(_e582) << bitcast<u32>(23i)) | ((_e564 << bitcast<u32>(((_e574 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e582 >= 255i));
                             }
-                            let _e596 = phi_1003_;
-                            phi_1004_ = _e596;
+                            let _e596 = phi_1016_;
+                            phi_1017_ = _e596;
                         }
-                        let _e598 = phi_1004_;
-                        phi_1012_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
-                        phi_1013_ = bitcast<f32>(((_e199 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
+                        let _e598 = phi_1017_;
+                        phi_1025_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e598, 0u, select(_e571, true, _e592))));
+                        phi_1026_ = bitcast<f32>(((_e199 & 2147483648u) | select(_e552, 0u, select(_e525, true, _e546))));
                     } else {
-                        phi_1012_ = 0f;
-                        phi_1013_ = 1f;
+                        phi_1025_ = 0f;
+                        phi_1026_ = 1f;
                     }
-                    let _e604 = phi_1012_;
-                    let _e606 = phi_1013_;
+                    let _e604 = phi_1025_;
+                    let _e606 = phi_1026_;
                     local_7 = array<type_18, 8>(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -614,172 +614,172 @@ fn function_() {
                         break;
                     }
                     let _e629 = local_9[_e618];
-                    phi_3910_ = false;
-                    phi_3830_ = _e604;
-                    phi_1139_ = type_52(type_44(array<f32, 3>(_e613, _e617, _e621), array<f32, 3>(_e625, _e627, _e629)), select(0u, 2147483648u, (_e88 == 0u)));
-                    phi_1142_ = ((3u * _e88) + 1u);
-                    phi_1144_ = (_e606 <= _e604);
-                    phi_1146_ = 0u;
+                    phi_4043_ = false;
+                    phi_3964_ = _e604;
+                    phi_1164_ = (_e606 <= _e604);
+                    phi_1167_ = ((3u * _e88) + 1u);
+                    phi_1169_ = 0u;
+                    phi_1171_ = type_52(type_44(array<f32, 3>(_e613, _e617, _e621), array<f32, 3>(_e625, _e627, _e629)), select(0u, 2147483648u, (_e88 == 0u)));
                     loop {
-                        let _e637 = phi_3910_;
-                        let _e639 = phi_3830_;
-                        let _e641 = phi_1139_;
-                        let _e643 = phi_1142_;
-                        let _e645 = phi_1144_;
-                        let _e647 = phi_1146_;
-                        if _e645 {
-                            phi_1157_ = true;
+                        let _e637 = phi_4043_;
+                        let _e639 = phi_3964_;
+                        let _e641 = phi_1164_;
+                        let _e643 = phi_1167_;
+                        let _e645 = phi_1169_;
+                        let _e647 = phi_1171_;
+                        if _e641 {
+                            phi_1182_ = true;
                         } else {
-                            phi_1157_ = (_e647 > 0u);
+                            phi_1182_ = (_e645 > 0u);
                         }
-                        let _e650 = phi_1157_;
+                        let _e650 = phi_1182_;
                         if _e650 {
                             let _e651 = (_e643 > 0u);
                             if _e651 {
-                                if _e645 {
-                                    phi_1244_ = _e641;
-                                    phi_1245_ = _e645;
-                                    phi_1246_ = _e647;
+                                if _e641 {
+                                    phi_1269_ = _e641;
+                                    phi_1270_ = _e645;
+                                    phi_1271_ = _e647;
                                 } else {
-                                    let _e652 = (_e647 - 1u);
+                                    let _e652 = (_e645 - 1u);
                                     let _e653 = (_e652 % 128u);
                                     let _e654 = (_e653 < 128u);
                                     if _e654 {
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4196_ = true;
                                         break;
                                     }
                                     let _e656 = local_6[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4196_ = true;
                                         break;
                                     }
                                     let _e658 = local_5[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4196_ = true;
                                         break;
                                     }
                                     let _e660 = local_4[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4196_ = true;
                                         break;
                                     }
                                     let _e662 = local_3[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4196_ = true;
                                         break;
                                     }
                                     let _e665 = local_2[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4196_ = true;
                                         break;
                                     }
                                     let _e667 = local_1[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4196_ = true;
                                         break;
                                     }
                                     let _e669 = local[_e653];
                                     if _e654 {
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4196_ = true;
                                         break;
                                     }
                                     let _e674 = local_8[_e653];
-                                    phi_1244_ = type_52(type_44(array<f32, 3>(_e658, _e660, _e662), array<f32, 3>(_e665, _e667, _e669)), _e656);
-                                    phi_1245_ = (_e674 <= _e639);
-                                    phi_1246_ = _e652;
+                                    phi_1269_ = (_e674 <= _e639);
+                                    phi_1270_ = _e652;
+                                    phi_1271_ = type_52(type_44(array<f32, 3>(_e658, _e660, _e662), array<f32, 3>(_e665, _e667, _e669)), _e656);
                                 }
-                                let _e677 = phi_1244_;
-                                let _e679 = phi_1245_;
-                                let _e681 = phi_1246_;
-                                if _e679 {
-                                    if ((_e677.member_1 & 2147483648u) != 0u) {
-                                        phi_3907_ = _e637;
-                                        phi_3879_ = _e639;
-                                        phi_1265_ = type_4(0u, ((_e677.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e677 = phi_1269_;
+                                let _e679 = phi_1270_;
+                                let _e681 = phi_1271_;
+                                if _e677 {
+                                    if ((_e681.member_1 & 2147483648u) != 0u) {
+                                        phi_4040_ = _e637;
+                                        phi_4012_ = _e639;
+                                        phi_1290_ = type_4(0u, ((_e681.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1057 = phi_3907_;
-                                            let _e1059 = phi_3879_;
-                                            let _e1061 = phi_1265_;
+                                            let _e1057 = phi_4040_;
+                                            let _e1059 = phi_4012_;
+                                            let _e1061 = phi_1290_;
                                             if (_e1061.member < _e1061.member_1) {
-                                                phi_1266_ = type_4((_e1061.member + 1u), _e1061.member_1);
-                                                phi_1289_ = type_4(1u, _e1061.member);
+                                                phi_1291_ = type_4((_e1061.member + 1u), _e1061.member_1);
+                                                phi_1314_ = type_4(1u, _e1061.member);
                                             } else {
-                                                phi_1266_ = _e1061;
-                                                phi_1289_ = type_4(0u, type_4().member_1);
+                                                phi_1291_ = _e1061;
+                                                phi_1314_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1074 = phi_1266_;
-                                            let _e1076 = phi_1289_;
+                                            let _e1074 = phi_1291_;
+                                            let _e1076 = phi_1314_;
                                             let _e1080 = (bitcast<i32>(_e1076.member) != 0i);
                                             if _e1080 {
-                                                let _e1081 = ((_e677.member_1 & 268435455u) + _e1076.member_1);
+                                                let _e1081 = ((_e681.member_1 & 268435455u) + _e1076.member_1);
                                                 let _e1082 = (_e1081 < arrayLength((&global_6.member)));
                                                 if _e1082 {
                                                     if _e1082 {
                                                     } else {
-                                                        phi_4183_ = _e1059;
-                                                        phi_4058_ = true;
+                                                        phi_4316_ = _e1059;
+                                                        phi_4191_ = true;
                                                         break;
                                                     }
                                                     let _e1085 = global_6.member[_e1081].member_1;
-                                                    phi_1314_ = _e1085;
+                                                    phi_1339_ = _e1085;
                                                 } else {
-                                                    phi_1314_ = 4294967295u;
+                                                    phi_1339_ = 4294967295u;
                                                 }
-                                                let _e1087 = phi_1314_;
+                                                let _e1087 = phi_1339_;
                                                 if _e1082 {
                                                     if _e1082 {
                                                     } else {
-                                                        phi_4183_ = _e1059;
-                                                        phi_4058_ = true;
+                                                        phi_4316_ = _e1059;
+                                                        phi_4191_ = true;
                                                         break;
                                                     }
                                                     let _e1089 = global_6.member[_e1081];
-                                                    phi_1330_ = _e1089;
+                                                    phi_1355_ = _e1089;
                                                 } else {
-                                                    phi_1330_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1355_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e1091 = phi_1330_;
+                                                let _e1091 = phi_1355_;
                                                 let _e1103 = ((10u * _e251) & 31u);
                                                 let _e1106 = ((_e1091.member[0] >> bitcast<u32>(_e1103)) & 1023u);
-                                                let _e1114 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e123));
-                                                let _e1119 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1106)) - 8388608f) * _e1114)) ^ _e123)));
-                                                let _e1123 = select(select(_e677.member.member_1[0], _e1119, (_e1119 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1106 == 1023u));
+                                                let _e1114 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e123));
+                                                let _e1119 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1106)) - 8388608f) * _e1114)) ^ _e123)));
+                                                let _e1123 = select(select(_e681.member.member_1[0], _e1119, (_e1119 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1106 == 1023u));
                                                 let _e1125 = ((10u * _e250) & 31u);
                                                 let _e1128 = ((_e1091.member[0] >> bitcast<u32>(_e1125)) & 1023u);
-                                                let _e1136 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e123));
-                                                let _e1141 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1128)) - 8388608f) * _e1136)) ^ _e123)));
-                                                let _e1145 = select(select(_e677.member.member_1[1], _e1141, (_e1141 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1128 == 1023u));
+                                                let _e1136 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e123));
+                                                let _e1141 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1128)) - 8388608f) * _e1136)) ^ _e123)));
+                                                let _e1145 = select(select(_e681.member.member_1[1], _e1141, (_e1141 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1128 == 1023u));
                                                 let _e1147 = ((10u * _e252) & 31u);
                                                 let _e1150 = ((_e1091.member[0] >> bitcast<u32>(_e1147)) & 1023u);
-                                                let _e1158 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e123));
-                                                let _e1163 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1150)) - 8388608f) * _e1158)) ^ _e123)));
-                                                let _e1167 = select(select(_e677.member.member_1[2], _e1163, (_e1163 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1150 == 1023u));
+                                                let _e1158 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e123));
+                                                let _e1163 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1150)) - 8388608f) * _e1158)) ^ _e123)));
+                                                let _e1167 = select(select(_e681.member.member_1[2], _e1163, (_e1163 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1150 == 1023u));
                                                 let _e1171 = ((_e1091.member[1] >> bitcast<u32>(_e1103)) & 1023u);
-                                                let _e1179 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1171)) - 8388608f) * _e1114)) ^ _e123)));
-                                                let _e1183 = select(select(_e677.member.member_1[0], _e1179, (_e1179 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1171 == 1023u));
+                                                let _e1179 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1171)) - 8388608f) * _e1114)) ^ _e123)));
+                                                let _e1183 = select(select(_e681.member.member_1[0], _e1179, (_e1179 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1171 == 1023u));
                                                 let _e1186 = ((_e1091.member[1] >> bitcast<u32>(_e1125)) & 1023u);
-                                                let _e1194 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1186)) - 8388608f) * _e1136)) ^ _e123)));
-                                                let _e1198 = select(select(_e677.member.member_1[1], _e1194, (_e1194 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1186 == 1023u));
+                                                let _e1194 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1186)) - 8388608f) * _e1136)) ^ _e123)));
+                                                let _e1198 = select(select(_e681.member.member_1[1], _e1194, (_e1194 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1186 == 1023u));
                                                 let _e1201 = ((_e1091.member[1] >> bitcast<u32>(_e1147)) & 1023u);
-                                                let _e1209 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1201)) - 8388608f) * _e1158)) ^ _e123)));
-                                                let _e1213 = select(select(_e677.member.member_1[2], _e1209, (_e1209 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1201 == 1023u));
+                                                let _e1209 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1201)) - 8388608f) * _e1158)) ^ _e123)));
+                                                let _e1213 = select(select(_e681.member.member_1[2], _e1209, (_e1209 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1201 == 1023u));
                                                 let _e1217 = ((_e1091.member[2] >> bitcast<u32>(_e1103)) & 1023u);
-                                                let _e1225 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1217)) - 8388608f) * _e1114)) ^ _e123)));
-                                                let _e1229 = select(select(_e677.member.member_1[0], _e1225, (_e1225 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1217 == 1023u));
+                                                let _e1225 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1217)) - 8388608f) * _e1114)) ^ _e123)));
+                                                let _e1229 = select(select(_e681.member.member_1[0], _e1225, (_e1225 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e1217 == 1023u));
                                                 let _e1232 = ((_e1091.member[2] >> bitcast<u32>(_e1125)) & 1023u);
-                                                let _e1240 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1232)) - 8388608f) * _e1136)) ^ _e123)));
-                                                let _e1244 = select(select(_e677.member.member_1[1], _e1240, (_e1240 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1232 == 1023u));
+                                                let _e1240 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1232)) - 8388608f) * _e1136)) ^ _e123)));
+                                                let _e1244 = select(select(_e681.member.member_1[1], _e1240, (_e1240 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e1232 == 1023u));
                                                 let _e1247 = ((_e1091.member[2] >> bitcast<u32>(_e1147)) & 1023u);
-                                                let _e1255 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1247)) - 8388608f) * _e1158)) ^ _e123)));
-                                                let _e1259 = select(select(_e677.member.member_1[2], _e1255, (_e1255 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1247 == 1023u));
+                                                let _e1255 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1247)) - 8388608f) * _e1158)) ^ _e123)));
+                                                let _e1259 = select(select(_e681.member.member_1[2], _e1255, (_e1255 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e1247 == 1023u));
                                                 let _e1262 = (_e1167 - _e452);
                                                 let _e1265 = (((_e1123 - _e315) * _e491) - (_e1262 * _e355));
                                                 let _e1268 = (((_e1145 - _e384) * _e491) - (_e1262 * _e423));
@@ -806,34 +806,34 @@ fn function_() {
                                                     let _e1316 = select(0f, _e1314, (_e1314 > 0f));
                                                     let _e1318 = ((_e1308 + _e1312) + _e1316);
                                                     if (_e1318 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2409_ = type_18();
-                                                        phi_2410_ = true;
-                                                        phi_2411_ = false;
+                                                        phi_2502_ = type_18();
+                                                        phi_2503_ = true;
+                                                        phi_2504_ = false;
                                                     } else {
                                                         let _e1321 = select(_e1274, _e1265, (_e1265 < _e1274));
                                                         if (select(_e1283, _e1321, (_e1321 < _e1283)) > 0f) {
-                                                            phi_1725_ = true;
+                                                            phi_1794_ = true;
                                                         } else {
                                                             let _e1326 = select(_e1274, _e1265, (_e1265 > _e1274));
-                                                            phi_1725_ = (select(_e1283, _e1326, (_e1326 > _e1283)) < 0f);
+                                                            phi_1794_ = (select(_e1283, _e1326, (_e1326 > _e1283)) < 0f);
                                                         }
-                                                        let _e1331 = phi_1725_;
+                                                        let _e1331 = phi_1794_;
                                                         if _e1331 {
-                                                            phi_2406_ = type_18();
-                                                            phi_2407_ = true;
-                                                            phi_2408_ = false;
+                                                            phi_2499_ = type_18();
+                                                            phi_2500_ = true;
+                                                            phi_2501_ = false;
                                                         } else {
                                                             let _e1333 = select(_e1277, _e1268, (_e1268 < _e1277));
                                                             if (select(_e1286, _e1333, (_e1333 < _e1286)) > 0f) {
-                                                                phi_1754_ = true;
+                                                                phi_1823_ = true;
                                                             } else {
                                                                 let _e1338 = select(_e1277, _e1268, (_e1268 > _e1277));
-                                                                phi_1754_ = (select(_e1286, _e1338, (_e1338 > _e1286)) < 0f);
+                                                                phi_1823_ = (select(_e1286, _e1338, (_e1338 > _e1286)) < 0f);
                                                             }
-                                                            let _e1343 = phi_1754_;
+                                                            let _e1343 = phi_1823_;
                                                             if _e1343 {
-                                                                phi_2404_ = type_18();
-                                                                phi_2405_ = false;
+                                                                phi_2497_ = type_18();
+                                                                phi_2498_ = false;
                                                             } else {
                                                                 let _e1345 = select(_e1183, _e1123, (_e1123 < _e1183));
                                                                 let _e1349 = select(_e1183, _e1123, (_e1123 > _e1183));
@@ -860,12 +860,12 @@ fn function_() {
                                                                 let _e1400 = -(_e1381);
                                                                 let _e1406 = select(_e606, _e1391, (_e1391 > _e606));
                                                                 if (_e1406 > (_e1399 + (select(_e1400, _e1383, (_e1383 > _e1400)) * 0.0000019073523f))) {
-                                                                    phi_2399_ = type_18();
-                                                                    phi_2400_ = true;
+                                                                    phi_2492_ = type_18();
+                                                                    phi_2493_ = true;
                                                                 } else {
                                                                     let _e1408 = (_e1406 > _e1059);
                                                                     if _e1408 {
-                                                                        phi_2398_ = type_18();
+                                                                        phi_2491_ = type_18();
                                                                     } else {
                                                                         let _e1409 = vec3<f32>(_e1123, _e1145, _e1167);
                                                                         let _e1410 = vec3<f32>(_e1183, _e1198, _e1213);
@@ -900,49 +900,49 @@ fn function_() {
                                                                         let _e1464 = select(_e1449, _e1436, (_e1436 > _e1449));
                                                                         let _e1466 = select(_e1462, _e1464, (_e1464 > _e1462));
                                                                         if (_e1436 == _e1466) {
-                                                                            phi_2131_ = _e1277;
-                                                                            phi_2132_ = _e1274;
-                                                                            phi_2133_ = _e1268;
-                                                                            phi_2134_ = _e1265;
-                                                                            phi_2135_ = _e1409;
-                                                                            phi_2136_ = _e1423;
-                                                                            phi_2137_ = _e1419;
-                                                                            phi_2138_ = _e1415;
+                                                                            phi_2218_ = _e1277;
+                                                                            phi_2219_ = _e1274;
+                                                                            phi_2220_ = _e1268;
+                                                                            phi_2221_ = _e1265;
+                                                                            phi_2222_ = _e1409;
+                                                                            phi_2223_ = _e1423;
+                                                                            phi_2224_ = _e1419;
+                                                                            phi_2225_ = _e1415;
                                                                         } else {
                                                                             let _e1468 = (_e1449 == _e1466);
                                                                             let _e1473 = vec3(_e1468);
-                                                                            phi_2131_ = select(_e1268, _e1286, _e1468);
-                                                                            phi_2132_ = select(_e1265, _e1283, _e1468);
-                                                                            phi_2133_ = select(_e1286, _e1277, _e1468);
-                                                                            phi_2134_ = select(_e1283, _e1274, _e1468);
-                                                                            phi_2135_ = select(_e1411, _e1410, _e1473);
-                                                                            phi_2136_ = select(_e1419, _e1415, _e1473);
-                                                                            phi_2137_ = select(_e1415, _e1423, _e1473);
-                                                                            phi_2138_ = select(_e1423, _e1419, _e1473);
+                                                                            phi_2218_ = select(_e1268, _e1286, _e1468);
+                                                                            phi_2219_ = select(_e1265, _e1283, _e1468);
+                                                                            phi_2220_ = select(_e1286, _e1277, _e1468);
+                                                                            phi_2221_ = select(_e1283, _e1274, _e1468);
+                                                                            phi_2222_ = select(_e1411, _e1410, _e1473);
+                                                                            phi_2223_ = select(_e1419, _e1415, _e1473);
+                                                                            phi_2224_ = select(_e1415, _e1423, _e1473);
+                                                                            phi_2225_ = select(_e1423, _e1419, _e1473);
                                                                         }
-                                                                        let _e1479 = phi_2131_;
-                                                                        let _e1481 = phi_2132_;
-                                                                        let _e1483 = phi_2133_;
-                                                                        let _e1485 = phi_2134_;
-                                                                        let _e1487 = phi_2135_;
-                                                                        let _e1489 = phi_2136_;
-                                                                        let _e1491 = phi_2137_;
-                                                                        let _e1493 = phi_2138_;
+                                                                        let _e1479 = phi_2218_;
+                                                                        let _e1481 = phi_2219_;
+                                                                        let _e1483 = phi_2220_;
+                                                                        let _e1485 = phi_2221_;
+                                                                        let _e1487 = phi_2222_;
+                                                                        let _e1489 = phi_2223_;
+                                                                        let _e1491 = phi_2224_;
+                                                                        let _e1493 = phi_2225_;
                                                                         let _e1500 = ((_e1491.y * _e1489.z) - (_e1489.y * _e1491.z));
                                                                         let _e1505 = ((_e1491.z * _e1489.x) - (_e1489.z * _e1491.x));
                                                                         let _e1508 = ((_e1491.x * _e1489.y) - (_e1489.x * _e1491.y));
                                                                         if (_e1308 >= _e1312) {
-                                                                            phi_2169_ = select(true, false, (_e1308 >= _e1316));
+                                                                            phi_2262_ = select(true, false, (_e1308 >= _e1316));
                                                                         } else {
-                                                                            phi_2169_ = true;
+                                                                            phi_2262_ = true;
                                                                         }
-                                                                        let _e1513 = phi_2169_;
+                                                                        let _e1513 = phi_2262_;
                                                                         if _e1513 {
-                                                                            phi_2178_ = select(_e1411, _e1410, vec3((_e1312 >= _e1316)));
+                                                                            phi_2271_ = select(_e1411, _e1410, vec3((_e1312 >= _e1316)));
                                                                         } else {
-                                                                            phi_2178_ = _e1409;
+                                                                            phi_2271_ = _e1409;
                                                                         }
-                                                                        let _e1518 = phi_2178_;
+                                                                        let _e1518 = phi_2271_;
                                                                         let _e1529 = (((_e1500 * (_e1518.x - _e315)) + (_e1505 * (_e1518.y - _e384))) + (_e1508 * (_e1518.z - _e452)));
                                                                         let _e1534 = (((_e1500 * _e355) + (_e1505 * _e423)) + (_e1508 * _e491));
                                                                         let _e1535 = (_e1481 - _e1485);
@@ -974,278 +974,278 @@ fn function_() {
                                                                             let _e1632 = bitcast<f32>((bitcast<u32>(_e1489.z) & 2147483647u));
                                                                             let _e1636 = (bitcast<f32>((bitcast<u32>(_e1534) & 2147483647u)) > ((0.0000038146973f * select(_e1618, _e1615, (_e1615 > _e1618))) * select(_e1632, _e1629, (_e1629 > _e1632))));
                                                                             if _e1636 {
-                                                                                phi_2343_ = (_e1529 / _e1534);
+                                                                                phi_2436_ = (_e1529 / _e1534);
                                                                             } else {
-                                                                                phi_2343_ = f32();
+                                                                                phi_2436_ = f32();
                                                                             }
-                                                                            let _e1639 = phi_2343_;
-                                                                            phi_2345_ = _e1639;
-                                                                            phi_2346_ = select(true, false, _e1636);
+                                                                            let _e1639 = phi_2436_;
+                                                                            phi_2438_ = _e1639;
+                                                                            phi_2439_ = select(true, false, _e1636);
                                                                         } else {
-                                                                            phi_2345_ = f32();
-                                                                            phi_2346_ = true;
+                                                                            phi_2438_ = f32();
+                                                                            phi_2439_ = true;
                                                                         }
-                                                                        let _e1642 = phi_2345_;
-                                                                        let _e1644 = phi_2346_;
+                                                                        let _e1642 = phi_2438_;
+                                                                        let _e1644 = phi_2439_;
                                                                         if _e1644 {
                                                                             let _e1652 = (((_e1500 * (_e1561 - (_e355 * _e1564))) + (_e1505 * (_e1562 - (_e423 * _e1564)))) / _e1534);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1652) & 2147483647u)) <= _e1466) {
-                                                                                phi_2366_ = (_e1564 + _e1652);
+                                                                                phi_2459_ = (_e1564 + _e1652);
                                                                             } else {
-                                                                                phi_2366_ = _e1564;
+                                                                                phi_2459_ = _e1564;
                                                                             }
-                                                                            let _e1659 = phi_2366_;
-                                                                            phi_2367_ = _e1659;
+                                                                            let _e1659 = phi_2459_;
+                                                                            phi_2460_ = _e1659;
                                                                         } else {
-                                                                            phi_2367_ = _e1642;
+                                                                            phi_2460_ = _e1642;
                                                                         }
-                                                                        let _e1661 = phi_2367_;
+                                                                        let _e1661 = phi_2460_;
                                                                         let _e1663 = select(_e1399, _e1661, (_e1661 < _e1399));
                                                                         let _e1665 = select(_e1391, _e1663, (_e1663 > _e1391));
                                                                         if (_e1665 >= _e606) {
                                                                             let _e1667 = (_e1665 <= _e1059);
                                                                             if _e1667 {
                                                                                 let _e1668 = (1f / _e1318);
-                                                                                phi_2390_ = type_18(_e1665, (_e1312 * _e1668), (_e1316 * _e1668), _e1087);
+                                                                                phi_2483_ = type_18(_e1665, (_e1312 * _e1668), (_e1316 * _e1668), _e1087);
                                                                             } else {
-                                                                                phi_2390_ = type_18();
+                                                                                phi_2483_ = type_18();
                                                                             }
-                                                                            let _e1673 = phi_2390_;
-                                                                            phi_2392_ = _e1673;
-                                                                            phi_2393_ = select(true, false, _e1667);
+                                                                            let _e1673 = phi_2483_;
+                                                                            phi_2485_ = _e1673;
+                                                                            phi_2486_ = select(true, false, _e1667);
                                                                         } else {
-                                                                            phi_2392_ = type_18();
-                                                                            phi_2393_ = true;
+                                                                            phi_2485_ = type_18();
+                                                                            phi_2486_ = true;
                                                                         }
-                                                                        let _e1676 = phi_2392_;
-                                                                        let _e1678 = phi_2393_;
+                                                                        let _e1676 = phi_2485_;
+                                                                        let _e1678 = phi_2486_;
                                                                         if _e1678 {
-                                                                            phi_2397_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2490_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2397_ = _e1676;
+                                                                            phi_2490_ = _e1676;
                                                                         }
-                                                                        let _e1680 = phi_2397_;
-                                                                        phi_2398_ = _e1680;
+                                                                        let _e1680 = phi_2490_;
+                                                                        phi_2491_ = _e1680;
                                                                     }
-                                                                    let _e1682 = phi_2398_;
-                                                                    phi_2399_ = _e1682;
-                                                                    phi_2400_ = _e1408;
+                                                                    let _e1682 = phi_2491_;
+                                                                    phi_2492_ = _e1682;
+                                                                    phi_2493_ = _e1408;
                                                                 }
-                                                                let _e1684 = phi_2399_;
-                                                                let _e1686 = phi_2400_;
-                                                                phi_2404_ = _e1684;
-                                                                phi_2405_ = _e1686;
+                                                                let _e1684 = phi_2492_;
+                                                                let _e1686 = phi_2493_;
+                                                                phi_2497_ = _e1684;
+                                                                phi_2498_ = _e1686;
                                                             }
-                                                            let _e1688 = phi_2404_;
-                                                            let _e1690 = phi_2405_;
-                                                            phi_2406_ = _e1688;
-                                                            phi_2407_ = _e1343;
-                                                            phi_2408_ = _e1690;
+                                                            let _e1688 = phi_2497_;
+                                                            let _e1690 = phi_2498_;
+                                                            phi_2499_ = _e1688;
+                                                            phi_2500_ = _e1343;
+                                                            phi_2501_ = _e1690;
                                                         }
-                                                        let _e1692 = phi_2406_;
-                                                        let _e1694 = phi_2407_;
-                                                        let _e1696 = phi_2408_;
-                                                        phi_2409_ = _e1692;
-                                                        phi_2410_ = _e1694;
-                                                        phi_2411_ = _e1696;
+                                                        let _e1692 = phi_2499_;
+                                                        let _e1694 = phi_2500_;
+                                                        let _e1696 = phi_2501_;
+                                                        phi_2502_ = _e1692;
+                                                        phi_2503_ = _e1694;
+                                                        phi_2504_ = _e1696;
                                                     }
-                                                    let _e1698 = phi_2409_;
-                                                    let _e1700 = phi_2410_;
-                                                    let _e1702 = phi_2411_;
-                                                    phi_2419_ = _e1698;
-                                                    phi_2420_ = select(_e1702, true, _e1700);
+                                                    let _e1698 = phi_2502_;
+                                                    let _e1700 = phi_2503_;
+                                                    let _e1702 = phi_2504_;
+                                                    phi_2512_ = _e1698;
+                                                    phi_2513_ = select(_e1702, true, _e1700);
                                                 } else {
-                                                    phi_2419_ = type_18();
-                                                    phi_2420_ = true;
+                                                    phi_2512_ = type_18();
+                                                    phi_2513_ = true;
                                                 }
-                                                let _e1705 = phi_2419_;
-                                                let _e1707 = phi_2420_;
+                                                let _e1705 = phi_2512_;
+                                                let _e1707 = phi_2513_;
                                                 if _e1707 {
-                                                    phi_2424_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2517_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2424_ = _e1705;
+                                                    phi_2517_ = _e1705;
                                                 }
-                                                let _e1709 = phi_2424_;
+                                                let _e1709 = phi_2517_;
                                                 if (_e1709.member_3 != 4294967295u) {
                                                     if (_e1087 != 4294967295u) {
-                                                        phi_2436_ = type_4(0u, 8u);
-                                                        phi_2439_ = _e1709;
+                                                        phi_2529_ = type_4(0u, 8u);
+                                                        phi_2532_ = _e1709;
                                                         loop {
-                                                            let _e1714 = phi_2436_;
-                                                            let _e1716 = phi_2439_;
+                                                            let _e1714 = phi_2529_;
+                                                            let _e1716 = phi_2532_;
                                                             if (_e1714.member < _e1714.member_1) {
-                                                                phi_2437_ = type_4((_e1714.member + 1u), _e1714.member_1);
-                                                                phi_2462_ = type_4(1u, _e1714.member);
+                                                                phi_2530_ = type_4((_e1714.member + 1u), _e1714.member_1);
+                                                                phi_2555_ = type_4(1u, _e1714.member);
                                                             } else {
-                                                                phi_2437_ = _e1714;
-                                                                phi_2462_ = type_4(0u, type_4().member_1);
+                                                                phi_2530_ = _e1714;
+                                                                phi_2555_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1729 = phi_2437_;
-                                                            let _e1731 = phi_2462_;
+                                                            let _e1729 = phi_2530_;
+                                                            let _e1731 = phi_2555_;
                                                             let _e1735 = (bitcast<i32>(_e1731.member) != 0i);
                                                             if _e1735 {
                                                                 let _e1736 = (_e1731.member_1 < 8u);
                                                                 if _e1736 {
                                                                 } else {
-                                                                    phi_3880_ = true;
+                                                                    phi_4013_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1741 = local_7[_e1731.member_1].member;
                                                                 if (_e1716.member < _e1741) {
-                                                                    phi_2495_ = true;
+                                                                    phi_2588_ = true;
                                                                 } else {
                                                                     let _e1743 = local_7[_e1731.member_1].member;
                                                                     if (_e1716.member == _e1743) {
                                                                         let _e1748 = local_7[_e1731.member_1].member_3;
-                                                                        phi_2494_ = (_e1716.member_3 < _e1748);
+                                                                        phi_2587_ = (_e1716.member_3 < _e1748);
                                                                     } else {
-                                                                        phi_2494_ = false;
+                                                                        phi_2587_ = false;
                                                                     }
-                                                                    let _e1751 = phi_2494_;
-                                                                    phi_2495_ = _e1751;
+                                                                    let _e1751 = phi_2587_;
+                                                                    phi_2588_ = _e1751;
                                                                 }
-                                                                let _e1753 = phi_2495_;
+                                                                let _e1753 = phi_2588_;
                                                                 if _e1753 {
                                                                     if _e1736 {
                                                                     } else {
-                                                                        phi_3880_ = true;
+                                                                        phi_4013_ = true;
                                                                         break;
                                                                     }
                                                                     let _e1754 = local_7[_e1731.member_1];
                                                                     local_7[_e1731.member_1] = type_18(_e1716.member, _e1716.member_1, _e1716.member_2, _e1716.member_3);
-                                                                    phi_2516_ = type_18(_e1754.member, _e1754.member_1, _e1754.member_2, _e1754.member_3);
+                                                                    phi_2609_ = type_18(_e1754.member, _e1754.member_1, _e1754.member_2, _e1754.member_3);
                                                                 } else {
-                                                                    phi_2516_ = _e1716;
+                                                                    phi_2609_ = _e1716;
                                                                 }
-                                                                let _e1765 = phi_2516_;
-                                                                phi_2440_ = _e1765;
+                                                                let _e1765 = phi_2609_;
+                                                                phi_2533_ = _e1765;
                                                             } else {
-                                                                phi_2440_ = type_18();
+                                                                phi_2533_ = type_18();
                                                             }
-                                                            let _e1767 = phi_2440_;
+                                                            let _e1767 = phi_2533_;
                                                             continue;
                                                             continuing {
-                                                                phi_2436_ = _e1729;
-                                                                phi_2439_ = _e1767;
-                                                                phi_3880_ = _e1057;
+                                                                phi_2529_ = _e1729;
+                                                                phi_2532_ = _e1767;
+                                                                phi_4013_ = _e1057;
                                                                 break if !(_e1735);
                                                             }
                                                         }
-                                                        let _e1770 = phi_3880_;
-                                                        phi_4183_ = _e1059;
-                                                        phi_4058_ = _e1770;
+                                                        let _e1770 = phi_4013_;
+                                                        phi_4316_ = _e1059;
+                                                        phi_4191_ = _e1770;
                                                         if _e1770 {
                                                             break;
                                                         }
                                                         let _e1773 = local_7[7u].member_3;
                                                         if (_e1773 != 4294967295u) {
                                                             let _e1777 = local_7[7u].member;
-                                                            phi_4274_ = _e1777;
+                                                            phi_4407_ = _e1777;
                                                         } else {
-                                                            phi_4274_ = _e1059;
+                                                            phi_4407_ = _e1059;
                                                         }
-                                                        let _e1779 = phi_4274_;
-                                                        phi_4273_ = _e1779;
-                                                        phi_4061_ = _e1770;
+                                                        let _e1779 = phi_4407_;
+                                                        phi_4406_ = _e1779;
+                                                        phi_4194_ = _e1770;
                                                     } else {
-                                                        phi_4273_ = _e1059;
-                                                        phi_4061_ = _e1057;
+                                                        phi_4406_ = _e1059;
+                                                        phi_4194_ = _e1057;
                                                     }
-                                                    let _e1781 = phi_4273_;
-                                                    let _e1783 = phi_4061_;
-                                                    phi_4272_ = _e1781;
-                                                    phi_4060_ = _e1783;
+                                                    let _e1781 = phi_4406_;
+                                                    let _e1783 = phi_4194_;
+                                                    phi_4405_ = _e1781;
+                                                    phi_4193_ = _e1783;
                                                 } else {
-                                                    phi_4272_ = _e1059;
-                                                    phi_4060_ = _e1057;
+                                                    phi_4405_ = _e1059;
+                                                    phi_4193_ = _e1057;
                                                 }
-                                                let _e1785 = phi_4272_;
-                                                let _e1787 = phi_4060_;
-                                                phi_4271_ = _e1785;
-                                                phi_4059_ = _e1787;
+                                                let _e1785 = phi_4405_;
+                                                let _e1787 = phi_4193_;
+                                                phi_4404_ = _e1785;
+                                                phi_4192_ = _e1787;
                                             } else {
-                                                phi_4271_ = _e1059;
-                                                phi_4059_ = _e1057;
+                                                phi_4404_ = _e1059;
+                                                phi_4192_ = _e1057;
                                             }
-                                            let _e1789 = phi_4271_;
-                                            let _e1791 = phi_4059_;
+                                            let _e1789 = phi_4404_;
+                                            let _e1791 = phi_4192_;
                                             continue;
                                             continuing {
-                                                phi_3907_ = _e1791;
-                                                phi_3879_ = _e1789;
-                                                phi_1265_ = _e1074;
-                                                phi_4183_ = _e1789;
-                                                phi_4058_ = _e1791;
+                                                phi_4040_ = _e1791;
+                                                phi_4012_ = _e1789;
+                                                phi_1290_ = _e1074;
+                                                phi_4316_ = _e1789;
+                                                phi_4191_ = _e1791;
                                                 break if !(_e1080);
                                             }
                                         }
-                                        let _e1794 = phi_4183_;
-                                        let _e1796 = phi_4058_;
-                                        phi_4063_ = _e1796;
+                                        let _e1794 = phi_4316_;
+                                        let _e1796 = phi_4191_;
+                                        phi_4196_ = _e1796;
                                         if _e1796 {
                                             break;
                                         }
-                                        phi_4148_ = _e1794;
-                                        phi_4067_ = _e1796;
-                                        phi_3501_ = _e677;
-                                        phi_3502_ = false;
-                                        phi_3503_ = _e681;
+                                        phi_4281_ = _e1794;
+                                        phi_4200_ = _e1796;
+                                        phi_3634_ = false;
+                                        phi_3635_ = _e679;
+                                        phi_3636_ = _e681;
                                     } else {
-                                        let _e691 = (_e677.member_1 < _e88);
+                                        let _e691 = (_e681.member_1 < _e88);
                                         if _e691 {
                                             if _e691 {
                                             } else {
-                                                phi_4063_ = true;
+                                                phi_4196_ = true;
                                                 break;
                                             }
-                                            let _e693 = global_4.member[_e677.member_1];
-                                            phi_2546_ = _e693;
+                                            let _e693 = global_4.member[_e681.member_1];
+                                            phi_2646_ = _e693;
                                         } else {
-                                            phi_2546_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2646_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e695 = phi_2546_;
+                                        let _e695 = phi_2646_;
                                         let _e710 = ((10u * _e251) & 31u);
                                         let _e713 = ((_e695.member[0] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e721 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e123));
-                                        let _e726 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e713)) - 8388608f) * _e721)) ^ _e123)));
-                                        let _e730 = select(select(_e677.member.member_1[0], _e726, (_e726 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e713 == 1023u));
+                                        let _e721 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[0] - _e681.member.member[0]) * 0.0009775171f)) ^ _e123));
+                                        let _e726 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e713)) - 8388608f) * _e721)) ^ _e123)));
+                                        let _e730 = select(select(_e681.member.member_1[0], _e726, (_e726 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e713 == 1023u));
                                         let _e732 = ((10u * _e250) & 31u);
                                         let _e735 = ((_e695.member[0] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e743 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e123));
-                                        let _e748 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e735)) - 8388608f) * _e743)) ^ _e123)));
-                                        let _e752 = select(select(_e677.member.member_1[1], _e748, (_e748 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e735 == 1023u));
+                                        let _e743 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[1] - _e681.member.member[1]) * 0.0009775171f)) ^ _e123));
+                                        let _e748 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e735)) - 8388608f) * _e743)) ^ _e123)));
+                                        let _e752 = select(select(_e681.member.member_1[1], _e748, (_e748 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e735 == 1023u));
                                         let _e754 = ((10u * _e252) & 31u);
                                         let _e757 = ((_e695.member[0] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e765 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e123));
-                                        let _e770 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e757)) - 8388608f) * _e765)) ^ _e123)));
-                                        let _e774 = select(select(_e677.member.member_1[2], _e770, (_e770 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e757 == 1023u));
+                                        let _e765 = bitcast<f32>((bitcast<u32>(((_e681.member.member_1[2] - _e681.member.member[2]) * 0.0009775171f)) ^ _e123));
+                                        let _e770 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e757)) - 8388608f) * _e765)) ^ _e123)));
+                                        let _e774 = select(select(_e681.member.member_1[2], _e770, (_e770 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e757 == 1023u));
                                         let _e777 = ((_e695.member[1] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e785 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e777)) - 8388608f) * _e721)) ^ _e123)));
-                                        let _e789 = select(select(_e677.member.member_1[0], _e785, (_e785 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e777 == 1023u));
+                                        let _e785 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e777)) - 8388608f) * _e721)) ^ _e123)));
+                                        let _e789 = select(select(_e681.member.member_1[0], _e785, (_e785 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e777 == 1023u));
                                         let _e792 = ((_e695.member[1] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e800 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e792)) - 8388608f) * _e743)) ^ _e123)));
-                                        let _e804 = select(select(_e677.member.member_1[1], _e800, (_e800 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e792 == 1023u));
+                                        let _e800 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e792)) - 8388608f) * _e743)) ^ _e123)));
+                                        let _e804 = select(select(_e681.member.member_1[1], _e800, (_e800 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e792 == 1023u));
                                         let _e807 = ((_e695.member[1] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e815 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e765)) ^ _e123)));
-                                        let _e819 = select(select(_e677.member.member_1[2], _e815, (_e815 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e807 == 1023u));
+                                        let _e815 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e807)) - 8388608f) * _e765)) ^ _e123)));
+                                        let _e819 = select(select(_e681.member.member_1[2], _e815, (_e815 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e807 == 1023u));
                                         let _e825 = ((_e695.member_1[0] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e833 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e825)) - 8388608f) * _e721)) ^ _e123)));
-                                        let _e837 = select(select(_e677.member.member_1[0], _e833, (_e833 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e825 == 1023u));
+                                        let _e833 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e825)) - 8388608f) * _e721)) ^ _e123)));
+                                        let _e837 = select(select(_e681.member.member_1[0], _e833, (_e833 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e825 == 1023u));
                                         let _e840 = ((_e695.member_1[0] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e848 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e840)) - 8388608f) * _e743)) ^ _e123)));
-                                        let _e852 = select(select(_e677.member.member_1[1], _e848, (_e848 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e840 == 1023u));
+                                        let _e848 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e840)) - 8388608f) * _e743)) ^ _e123)));
+                                        let _e852 = select(select(_e681.member.member_1[1], _e848, (_e848 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e840 == 1023u));
                                         let _e855 = ((_e695.member_1[0] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e863 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e765)) ^ _e123)));
-                                        let _e867 = select(select(_e677.member.member_1[2], _e863, (_e863 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e855 == 1023u));
+                                        let _e863 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e855)) - 8388608f) * _e765)) ^ _e123)));
+                                        let _e867 = select(select(_e681.member.member_1[2], _e863, (_e863 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e855 == 1023u));
                                         let _e870 = ((_e695.member_1[1] >> bitcast<u32>(_e710)) & 1023u);
-                                        let _e878 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e721)) ^ _e123)));
-                                        let _e882 = select(select(_e677.member.member_1[0], _e878, (_e878 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e870 == 1023u));
+                                        let _e878 = (_e681.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e870)) - 8388608f) * _e721)) ^ _e123)));
+                                        let _e882 = select(select(_e681.member.member_1[0], _e878, (_e878 < _e681.member.member_1[0])), _e681.member.member_1[0], (_e870 == 1023u));
                                         let _e885 = ((_e695.member_1[1] >> bitcast<u32>(_e732)) & 1023u);
-                                        let _e893 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e743)) ^ _e123)));
-                                        let _e897 = select(select(_e677.member.member_1[1], _e893, (_e893 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e885 == 1023u));
+                                        let _e893 = (_e681.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e885)) - 8388608f) * _e743)) ^ _e123)));
+                                        let _e897 = select(select(_e681.member.member_1[1], _e893, (_e893 < _e681.member.member_1[1])), _e681.member.member_1[1], (_e885 == 1023u));
                                         let _e900 = ((_e695.member_1[1] >> bitcast<u32>(_e754)) & 1023u);
-                                        let _e908 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e900)) - 8388608f) * _e765)) ^ _e123)));
-                                        let _e912 = select(select(_e677.member.member_1[2], _e908, (_e908 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e900 == 1023u));
+                                        let _e908 = (_e681.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e900)) - 8388608f) * _e765)) ^ _e123)));
+                                        let _e912 = select(select(_e681.member.member_1[2], _e908, (_e908 < _e681.member.member_1[2])), _e681.member.member_1[2], (_e900 == 1023u));
                                         let _e917 = type_52(type_44(array<f32, 3>(_e730, _e752, _e774), array<f32, 3>(_e789, _e804, _e819)), _e695.member_2);
                                         let _e922 = type_52(type_44(array<f32, 3>(_e837, _e852, _e867), array<f32, 3>(_e882, _e897, _e912)), _e695.member_3);
                                         let _e927 = ((_e730 - _e353) * _e358);
@@ -1290,209 +1290,209 @@ fn function_() {
                                         if _e1005 {
                                             if _e1006 {
                                                 if _e1007 {
-                                                    phi_3403_ = _e922;
+                                                    phi_3533_ = _e922;
                                                 } else {
-                                                    phi_3403_ = _e917;
+                                                    phi_3533_ = _e917;
                                                 }
-                                                let _e1009 = phi_3403_;
-                                                let _e1017 = (_e681 % 128u);
+                                                let _e1009 = phi_3533_;
+                                                let _e1017 = (_e679 % 128u);
                                                 let _e1018 = (_e1017 < 128u);
                                                 if _e1018 {
                                                 } else {
-                                                    phi_4063_ = true;
+                                                    phi_4196_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1017] = _e1009.member_1;
                                                 if _e1018 {
                                                 } else {
-                                                    phi_4063_ = true;
+                                                    phi_4196_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1017] = _e1009.member.member[0];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_4063_ = true;
+                                                    phi_4196_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1017] = _e1009.member.member[1];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_4063_ = true;
+                                                    phi_4196_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1017] = _e1009.member.member[2];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_4063_ = true;
+                                                    phi_4196_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1017] = _e1009.member.member_1[0];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_4063_ = true;
+                                                    phi_4196_ = true;
                                                     break;
                                                 }
                                                 local_1[_e1017] = _e1009.member.member_1[1];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_4063_ = true;
+                                                    phi_4196_ = true;
                                                     break;
                                                 }
                                                 local[_e1017] = _e1009.member.member_1[2];
                                                 if _e1018 {
                                                 } else {
-                                                    phi_4063_ = true;
+                                                    phi_4196_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1017] = select(_e1000, _e998, (_e998 > _e1000));
+                                                local_8[_e1017] = select(_e1000, _e998, !(_e1007));
                                                 if _e1007 {
-                                                    phi_3480_ = _e917;
+                                                    phi_3610_ = _e917;
                                                 } else {
-                                                    phi_3480_ = _e922;
+                                                    phi_3610_ = _e922;
                                                 }
-                                                let _e1035 = phi_3480_;
-                                                phi_3481_ = _e1035;
-                                                phi_3482_ = (_e681 + 1u);
+                                                let _e1035 = phi_3610_;
+                                                phi_3611_ = (_e679 + 1u);
+                                                phi_3612_ = _e1035;
                                             } else {
-                                                phi_3481_ = type_52();
-                                                phi_3482_ = u32();
+                                                phi_3611_ = u32();
+                                                phi_3612_ = type_52();
                                             }
-                                            let _e1037 = phi_3481_;
-                                            let _e1039 = phi_3482_;
-                                            phi_3484_ = _e1037;
-                                            phi_3485_ = _e1039;
-                                            phi_3486_ = select(true, false, _e1006);
+                                            let _e1037 = phi_3611_;
+                                            let _e1039 = phi_3612_;
+                                            phi_3614_ = _e1037;
+                                            phi_3615_ = _e1039;
+                                            phi_3616_ = select(true, false, _e1006);
                                         } else {
-                                            phi_3484_ = type_52();
-                                            phi_3485_ = u32();
-                                            phi_3486_ = true;
+                                            phi_3614_ = u32();
+                                            phi_3615_ = type_52();
+                                            phi_3616_ = true;
                                         }
-                                        let _e1042 = phi_3484_;
-                                        let _e1044 = phi_3485_;
-                                        let _e1046 = phi_3486_;
+                                        let _e1042 = phi_3614_;
+                                        let _e1044 = phi_3615_;
+                                        let _e1046 = phi_3616_;
                                         if _e1046 {
                                             if _e1005 {
-                                                phi_3493_ = _e917;
+                                                phi_3623_ = _e917;
                                             } else {
-                                                phi_3493_ = _e922;
+                                                phi_3623_ = _e922;
                                             }
-                                            let _e1048 = phi_3493_;
-                                            phi_3498_ = _e1048;
-                                            phi_3499_ = select(_e1006, true, _e1005);
+                                            let _e1048 = phi_3623_;
+                                            phi_3628_ = select(_e1006, true, _e1005);
+                                            phi_3630_ = _e1048;
                                         } else {
-                                            phi_3498_ = _e1042;
-                                            phi_3499_ = _e679;
+                                            phi_3628_ = _e677;
+                                            phi_3630_ = _e1044;
                                         }
-                                        let _e1051 = phi_3498_;
-                                        let _e1053 = phi_3499_;
-                                        phi_4148_ = _e639;
-                                        phi_4067_ = _e637;
-                                        phi_3501_ = _e1051;
-                                        phi_3502_ = _e1053;
-                                        phi_3503_ = select(_e1044, _e681, _e1046);
+                                        let _e1051 = phi_3628_;
+                                        let _e1053 = phi_3630_;
+                                        phi_4281_ = _e639;
+                                        phi_4200_ = _e637;
+                                        phi_3634_ = _e1051;
+                                        phi_3635_ = select(_e1042, _e679, _e1046);
+                                        phi_3636_ = _e1053;
                                     }
-                                    let _e1798 = phi_4148_;
-                                    let _e1800 = phi_4067_;
-                                    let _e1802 = phi_3501_;
-                                    let _e1804 = phi_3502_;
-                                    let _e1806 = phi_3503_;
-                                    phi_4147_ = _e1798;
-                                    phi_4066_ = _e1800;
-                                    phi_3504_ = _e1802;
-                                    phi_3505_ = (_e643 - 1u);
-                                    phi_3506_ = _e1804;
-                                    phi_3507_ = _e1806;
+                                    let _e1798 = phi_4281_;
+                                    let _e1800 = phi_4200_;
+                                    let _e1802 = phi_3634_;
+                                    let _e1804 = phi_3635_;
+                                    let _e1806 = phi_3636_;
+                                    phi_4280_ = _e1798;
+                                    phi_4199_ = _e1800;
+                                    phi_3637_ = _e1802;
+                                    phi_3638_ = (_e643 - 1u);
+                                    phi_3639_ = _e1804;
+                                    phi_3640_ = _e1806;
                                 } else {
-                                    phi_4147_ = _e639;
-                                    phi_4066_ = _e637;
-                                    phi_3504_ = _e677;
-                                    phi_3505_ = _e643;
-                                    phi_3506_ = _e679;
-                                    phi_3507_ = _e681;
+                                    phi_4280_ = _e639;
+                                    phi_4199_ = _e637;
+                                    phi_3637_ = _e677;
+                                    phi_3638_ = _e643;
+                                    phi_3639_ = _e679;
+                                    phi_3640_ = _e681;
                                 }
-                                let _e1808 = phi_4147_;
-                                let _e1810 = phi_4066_;
-                                let _e1812 = phi_3504_;
-                                let _e1814 = phi_3505_;
-                                let _e1816 = phi_3506_;
-                                let _e1818 = phi_3507_;
-                                phi_4146_ = _e1808;
-                                phi_4065_ = _e1810;
-                                phi_3508_ = _e1812;
-                                phi_3509_ = _e1814;
-                                phi_3510_ = _e1816;
-                                phi_3511_ = _e1818;
+                                let _e1808 = phi_4280_;
+                                let _e1810 = phi_4199_;
+                                let _e1812 = phi_3637_;
+                                let _e1814 = phi_3638_;
+                                let _e1816 = phi_3639_;
+                                let _e1818 = phi_3640_;
+                                phi_4279_ = _e1808;
+                                phi_4198_ = _e1810;
+                                phi_3641_ = _e1812;
+                                phi_3642_ = _e1814;
+                                phi_3643_ = _e1816;
+                                phi_3644_ = _e1818;
                             } else {
-                                phi_4146_ = _e639;
-                                phi_4065_ = _e637;
-                                phi_3508_ = type_52();
-                                phi_3509_ = u32();
-                                phi_3510_ = bool();
-                                phi_3511_ = u32();
+                                phi_4279_ = _e639;
+                                phi_4198_ = _e637;
+                                phi_3641_ = bool();
+                                phi_3642_ = u32();
+                                phi_3643_ = u32();
+                                phi_3644_ = type_52();
                             }
-                            let _e1820 = phi_4146_;
-                            let _e1822 = phi_4065_;
-                            let _e1824 = phi_3508_;
-                            let _e1826 = phi_3509_;
-                            let _e1828 = phi_3510_;
-                            let _e1830 = phi_3511_;
-                            phi_4145_ = _e1820;
-                            phi_4064_ = _e1822;
-                            phi_1140_ = _e1824;
-                            phi_1143_ = _e1826;
-                            phi_1145_ = _e1828;
-                            phi_1147_ = _e1830;
-                            phi_3512_ = _e651;
+                            let _e1820 = phi_4279_;
+                            let _e1822 = phi_4198_;
+                            let _e1824 = phi_3641_;
+                            let _e1826 = phi_3642_;
+                            let _e1828 = phi_3643_;
+                            let _e1830 = phi_3644_;
+                            phi_4278_ = _e1820;
+                            phi_4197_ = _e1822;
+                            phi_1165_ = _e1824;
+                            phi_1168_ = _e1826;
+                            phi_1170_ = _e1828;
+                            phi_1172_ = _e1830;
+                            phi_3645_ = _e651;
                         } else {
-                            phi_4145_ = _e639;
-                            phi_4064_ = _e637;
-                            phi_1140_ = type_52();
-                            phi_1143_ = u32();
-                            phi_1145_ = bool();
-                            phi_1147_ = u32();
-                            phi_3512_ = false;
+                            phi_4278_ = _e639;
+                            phi_4197_ = _e637;
+                            phi_1165_ = bool();
+                            phi_1168_ = u32();
+                            phi_1170_ = u32();
+                            phi_1172_ = type_52();
+                            phi_3645_ = false;
                         }
-                        let _e1832 = phi_4145_;
-                        let _e1834 = phi_4064_;
-                        let _e1836 = phi_1140_;
-                        let _e1838 = phi_1143_;
-                        let _e1840 = phi_1145_;
-                        let _e1842 = phi_1147_;
-                        let _e1844 = phi_3512_;
+                        let _e1832 = phi_4278_;
+                        let _e1834 = phi_4197_;
+                        let _e1836 = phi_1165_;
+                        let _e1838 = phi_1168_;
+                        let _e1840 = phi_1170_;
+                        let _e1842 = phi_1172_;
+                        let _e1844 = phi_3645_;
                         continue;
                         continuing {
-                            phi_3910_ = _e1834;
-                            phi_3830_ = _e1832;
-                            phi_1139_ = _e1836;
-                            phi_1142_ = _e1838;
-                            phi_1144_ = _e1840;
-                            phi_1146_ = _e1842;
-                            phi_4063_ = _e1834;
+                            phi_4043_ = _e1834;
+                            phi_3964_ = _e1832;
+                            phi_1164_ = _e1836;
+                            phi_1167_ = _e1838;
+                            phi_1169_ = _e1840;
+                            phi_1171_ = _e1842;
+                            phi_4196_ = _e1834;
                             break if !(_e1844);
                         }
                     }
-                    let _e1847 = phi_4063_;
+                    let _e1847 = phi_4196_;
                     if _e1847 {
                         break;
                     }
-                    phi_3519_ = type_4(0u, 8u);
+                    phi_3652_ = type_4(0u, 8u);
                     loop {
-                        let _e1849 = phi_3519_;
+                        let _e1849 = phi_3652_;
                         if (_e1849.member < _e1849.member_1) {
-                            phi_3520_ = type_4((_e1849.member + 1u), _e1849.member_1);
-                            phi_3543_ = type_4(1u, _e1849.member);
+                            phi_3653_ = type_4((_e1849.member + 1u), _e1849.member_1);
+                            phi_3676_ = type_4(1u, _e1849.member);
                         } else {
-                            phi_3520_ = _e1849;
-                            phi_3543_ = type_4(0u, type_4().member_1);
+                            phi_3653_ = _e1849;
+                            phi_3676_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1862 = phi_3520_;
-                        let _e1864 = phi_3543_;
+                        let _e1862 = phi_3653_;
+                        let _e1864 = phi_3676_;
                         let _e1868 = (bitcast<i32>(_e1864.member) != 0i);
                         if _e1868 {
                             let _e1869 = (_e1864.member_1 < 8u);
                             if _e1869 {
                             } else {
-                                phi_4127_ = true;
+                                phi_4260_ = true;
                                 break;
                             }
                             let _e1871 = local_7[_e1864.member_1];
@@ -1502,125 +1502,125 @@ fn function_() {
                                 let _e1882 = (bitcast<i32>((_e1878 >> bitcast<u32>(23i))) & 255i);
                                 let _e1883 = (_e1882 + _e1877);
                                 if (_e1882 == 255i) {
-                                    phi_3616_ = _e1871.member;
+                                    phi_3749_ = _e1871.member;
                                 } else {
                                     if (_e1882 > 0i) {
                                         if (_e1883 > 0i) {
                                             let _e1887 = (_e1883 < 255i);
                                             if _e1887 {
-                                                phi_3595_ = bitcast<f32>((_e1878 + bitcast<u32>((_e1877 << bitcast<u32>(23i)))));
+                                                phi_3728_ = bitcast<f32>((_e1878 + bitcast<u32>((_e1877 << bitcast<u32>(23i)))));
                                             } else {
-                                                phi_3595_ = f32();
+                                                phi_3728_ = f32();
                                             }
-                                            let _e1894 = phi_3595_;
-                                            phi_3597_ = _e1894;
-                                            phi_3598_ = select(true, false, _e1887);
+                                            let _e1894 = phi_3728_;
+                                            phi_3730_ = _e1894;
+                                            phi_3731_ = select(true, false, _e1887);
                                         } else {
-                                            phi_3597_ = f32();
-                                            phi_3598_ = true;
+                                            phi_3730_ = f32();
+                                            phi_3731_ = true;
                                         }
-                                        let _e1897 = phi_3597_;
-                                        let _e1899 = phi_3598_;
-                                        phi_3599_ = _e1897;
-                                        phi_3600_ = _e1899;
+                                        let _e1897 = phi_3730_;
+                                        let _e1899 = phi_3731_;
+                                        phi_3732_ = _e1897;
+                                        phi_3733_ = _e1899;
                                     } else {
-                                        phi_3599_ = f32();
-                                        phi_3600_ = true;
+                                        phi_3732_ = f32();
+                                        phi_3733_ = true;
                                     }
-                                    let _e1901 = phi_3599_;
-                                    let _e1903 = phi_3600_;
+                                    let _e1901 = phi_3732_;
+                                    let _e1903 = phi_3733_;
                                     if _e1903 {
                                         let _e1904 = (_e1878 & 2147483648u);
                                         let _e1911 = ((_e1878 & 8388607u) | (select(0u, 1u, ((_e1878 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                         let _e1915 = (_e1911 == 0u);
                                         if _e1915 {
-                                            phi_3789_ = bitcast<f32>(_e1904);
+                                            phi_3922_ = bitcast<f32>(_e1904);
                                         } else {
                                             let _e1920 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1911)), 32u, _e1915) - 8u);
                                             let _e1923 = (_e1911 << bitcast<u32>((_e1920 & 31u)));
                                             let _e1925 = ((_e1883 + select(0i, 1i, (_e1882 == 0i))) - bitcast<i32>(_e1920));
                                             if (_e1925 >= 255i) {
-                                                phi_3779_ = bitcast<f32>((_e1904 | 2139095040u));
-                                                phi_3780_ = f32();
-                                                phi_3781_ = true;
+                                                phi_3912_ = bitcast<f32>((_e1904 | 2139095040u));
+                                                phi_3913_ = f32();
+                                                phi_3914_ = true;
                                             } else {
                                                 let _e1927 = (_e1925 > 0i);
                                                 if _e1927 {
-                                                    phi_3773_ = bitcast<f32>(((_e1904 | (bitcast<u32>(_e1925) << bitcast<u32>(23i))) | (_e1923 & 8388607u)));
-                                                    phi_3774_ = f32();
+                                                    phi_3906_ = bitcast<f32>(((_e1904 | (bitcast<u32>(_e1925) << bitcast<u32>(23i))) | (_e1923 & 8388607u)));
+                                                    phi_3907_ = f32();
                                                 } else {
                                                     if (_e1925 < -24i) {
-                                                        phi_3739_ = 26u;
+                                                        phi_3872_ = 26u;
                                                     } else {
-                                                        phi_3739_ = bitcast<u32>((1i - _e1925));
+                                                        phi_3872_ = bitcast<u32>((1i - _e1925));
                                                     }
-                                                    let _e1932 = phi_3739_;
+                                                    let _e1932 = phi_3872_;
                                                     let _e1933 = (_e1932 & 31u);
                                                     let _e1935 = (_e1923 >> bitcast<u32>(_e1933));
                                                     let _e1939 = (_e1923 & ((1u << bitcast<u32>(_e1933)) - 1u));
                                                     let _e1943 = (1u << bitcast<u32>(((_e1932 - 1u) & 31u)));
                                                     if (_e1939 > _e1943) {
-                                                        phi_3760_ = true;
+                                                        phi_3893_ = true;
                                                     } else {
                                                         if (_e1939 == _e1943) {
-                                                            phi_3757_ = ((_e1935 & 1u) == 1u);
+                                                            phi_3890_ = ((_e1935 & 1u) == 1u);
                                                         } else {
-                                                            phi_3757_ = false;
+                                                            phi_3890_ = false;
                                                         }
-                                                        let _e1949 = phi_3757_;
-                                                        phi_3760_ = _e1949;
+                                                        let _e1949 = phi_3890_;
+                                                        phi_3893_ = _e1949;
                                                     }
-                                                    let _e1951 = phi_3760_;
-                                                    phi_3773_ = f32();
-                                                    phi_3774_ = bitcast<f32>((_e1904 | (_e1935 + select(0u, 1u, _e1951))));
+                                                    let _e1951 = phi_3893_;
+                                                    phi_3906_ = f32();
+                                                    phi_3907_ = bitcast<f32>((_e1904 | (_e1935 + select(0u, 1u, _e1951))));
                                                 }
-                                                let _e1964 = phi_3773_;
-                                                let _e1966 = phi_3774_;
-                                                phi_3779_ = _e1964;
-                                                phi_3780_ = _e1966;
-                                                phi_3781_ = _e1927;
+                                                let _e1964 = phi_3906_;
+                                                let _e1966 = phi_3907_;
+                                                phi_3912_ = _e1964;
+                                                phi_3913_ = _e1966;
+                                                phi_3914_ = _e1927;
                                             }
-                                            let _e1970 = phi_3779_;
-                                            let _e1972 = phi_3780_;
-                                            let _e1974 = phi_3781_;
-                                            phi_3789_ = select(_e1972, _e1970, _e1974);
+                                            let _e1970 = phi_3912_;
+                                            let _e1972 = phi_3913_;
+                                            let _e1974 = phi_3914_;
+                                            phi_3922_ = select(_e1972, _e1970, _e1974);
                                         }
-                                        let _e1978 = phi_3789_;
-                                        phi_3615_ = _e1978;
+                                        let _e1978 = phi_3922_;
+                                        phi_3748_ = _e1978;
                                     } else {
-                                        phi_3615_ = _e1901;
+                                        phi_3748_ = _e1901;
                                     }
-                                    let _e1980 = phi_3615_;
-                                    phi_3616_ = _e1980;
+                                    let _e1980 = phi_3748_;
+                                    phi_3749_ = _e1980;
                                 }
-                                let _e1982 = phi_3616_;
+                                let _e1982 = phi_3749_;
                                 let _e1983 = bitcast<u32>(_e1982);
                                 if ((_e1983 & 2147483647u) >= 2139095040u) {
-                                    phi_3628_ = bitcast<f32>(((_e1983 & 2147483648u) | 2139095039u));
+                                    phi_3761_ = bitcast<f32>(((_e1983 & 2147483648u) | 2139095039u));
                                 } else {
-                                    phi_3628_ = _e1982;
+                                    phi_3761_ = _e1982;
                                 }
-                                let _e1990 = phi_3628_;
-                                phi_3633_ = type_18(_e1990, _e1871.member_1, _e1871.member_2, _e1871.member_3);
+                                let _e1990 = phi_3761_;
+                                phi_3766_ = type_18(_e1990, _e1871.member_1, _e1871.member_2, _e1871.member_3);
                             } else {
-                                phi_3633_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3766_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1993 = phi_3633_;
+                            let _e1993 = phi_3766_;
                             if _e1869 {
                             } else {
-                                phi_4127_ = true;
+                                phi_4260_ = true;
                                 break;
                             }
                             local_7[_e1864.member_1] = type_18(_e1993.member, _e1993.member_1, _e1993.member_2, _e1993.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3519_ = _e1862;
-                            phi_4127_ = _e1847;
+                            phi_3652_ = _e1862;
+                            phi_4260_ = _e1847;
                             break if !(_e1868);
                         }
                     }
-                    let _e2001 = phi_4127_;
+                    let _e2001 = phi_4260_;
                     if _e2001 {
                         break;
                     }

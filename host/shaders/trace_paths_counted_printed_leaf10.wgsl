@@ -113,153 +113,153 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_429_: i32;
-    var phi_430_: i32;
-    var phi_440_: bool;
-    var phi_450_: u32;
-    var phi_451_: u32;
-    var phi_453_: bool;
-    var phi_458_: u32;
-    var phi_490_: i32;
-    var phi_508_: f32;
-    var phi_514_: f32;
-    var phi_554_: f32;
-    var phi_560_: f32;
-    var phi_612_: f32;
-    var phi_623_: f32;
-    var phi_632_: f32;
-    var phi_638_: f32;
-    var phi_678_: f32;
-    var phi_684_: f32;
-    var phi_736_: f32;
+    var phi_438_: i32;
+    var phi_439_: i32;
+    var phi_449_: bool;
+    var phi_459_: u32;
+    var phi_460_: u32;
+    var phi_462_: bool;
+    var phi_467_: u32;
+    var phi_500_: i32;
+    var phi_518_: f32;
+    var phi_524_: f32;
+    var phi_564_: f32;
+    var phi_570_: f32;
+    var phi_622_: f32;
+    var phi_634_: f32;
+    var phi_643_: f32;
+    var phi_649_: f32;
+    var phi_689_: f32;
+    var phi_695_: f32;
     var phi_747_: f32;
-    var phi_756_: f32;
-    var phi_762_: f32;
-    var phi_802_: f32;
-    var phi_808_: f32;
-    var phi_860_: f32;
-    var phi_871_: f32;
-    var phi_926_: i32;
-    var phi_948_: u32;
-    var phi_949_: u32;
-    var phi_986_: i32;
-    var phi_1008_: u32;
-    var phi_1009_: u32;
-    var phi_1017_: f32;
-    var phi_1018_: f32;
-    var phi_3730_: bool;
-    var phi_1100_: type_36;
-    var phi_1103_: type_53;
-    var phi_1105_: u32;
-    var phi_1107_: bool;
-    var phi_1109_: u32;
-    var phi_1120_: bool;
-    var phi_1206_: type_53;
-    var phi_1207_: bool;
-    var phi_1208_: u32;
-    var phi_2447_: type_40;
-    var phi_3303_: type_53;
-    var phi_3380_: type_53;
-    var phi_3381_: type_53;
-    var phi_3382_: u32;
-    var phi_3384_: type_53;
-    var phi_3385_: u32;
-    var phi_3386_: bool;
-    var phi_3393_: type_53;
-    var phi_3398_: type_53;
-    var phi_3399_: bool;
-    var phi_1227_: type_36;
-    var phi_1230_: type_7;
-    var phi_1231_: type_7;
+    var phi_759_: f32;
+    var phi_768_: f32;
+    var phi_774_: f32;
+    var phi_814_: f32;
+    var phi_820_: f32;
+    var phi_872_: f32;
+    var phi_884_: f32;
+    var phi_939_: i32;
+    var phi_961_: u32;
+    var phi_962_: u32;
+    var phi_999_: i32;
+    var phi_1021_: u32;
+    var phi_1022_: u32;
+    var phi_1030_: f32;
+    var phi_1031_: f32;
+    var phi_3862_: bool;
+    var phi_1123_: type_36;
+    var phi_1126_: bool;
+    var phi_1128_: u32;
+    var phi_1130_: u32;
+    var phi_1132_: type_53;
+    var phi_1143_: bool;
+    var phi_1229_: bool;
+    var phi_1230_: u32;
+    var phi_1231_: type_53;
+    var phi_2542_: type_40;
+    var phi_3431_: type_53;
+    var phi_3508_: type_53;
+    var phi_3509_: u32;
+    var phi_3510_: type_53;
+    var phi_3512_: u32;
+    var phi_3513_: type_53;
+    var phi_3514_: bool;
+    var phi_3521_: type_53;
+    var phi_3526_: bool;
+    var phi_3528_: type_53;
+    var phi_1250_: type_36;
     var phi_1253_: type_7;
-    var phi_1281_: u32;
-    var phi_1297_: type_47;
-    var phi_1691_: bool;
-    var phi_1720_: bool;
-    var phi_2097_: f32;
-    var phi_2098_: f32;
-    var phi_2099_: f32;
-    var phi_2100_: f32;
-    var phi_2101_: vec3<f32>;
-    var phi_2102_: vec3<f32>;
-    var phi_2103_: vec3<f32>;
-    var phi_2104_: vec3<f32>;
-    var phi_2135_: bool;
-    var phi_2144_: vec3<f32>;
-    var phi_2309_: f32;
-    var phi_2311_: f32;
-    var phi_2312_: bool;
-    var phi_2332_: f32;
-    var phi_2333_: f32;
-    var phi_2356_: type_19;
-    var phi_2358_: type_19;
-    var phi_2359_: bool;
-    var phi_2363_: type_19;
-    var phi_2364_: type_19;
-    var phi_2365_: type_19;
-    var phi_2366_: bool;
-    var phi_2370_: type_19;
-    var phi_2371_: bool;
-    var phi_2372_: type_19;
-    var phi_2373_: bool;
-    var phi_2374_: bool;
-    var phi_2375_: type_19;
-    var phi_2376_: bool;
-    var phi_2377_: bool;
-    var phi_2385_: type_19;
-    var phi_2386_: bool;
-    var phi_2390_: type_19;
-    var phi_2415_: bool;
-    var phi_2416_: bool;
-    var phi_2423_: type_36;
-    var phi_2424_: type_36;
-    var phi_2425_: type_36;
-    var phi_1228_: type_36;
-    var phi_3724_: bool;
-    var phi_3906_: bool;
-    var phi_3401_: type_36;
-    var phi_3402_: type_53;
-    var phi_3403_: bool;
-    var phi_3404_: u32;
-    var phi_3905_: bool;
-    var phi_3405_: type_36;
-    var phi_3406_: type_53;
-    var phi_3407_: u32;
-    var phi_3408_: bool;
-    var phi_3409_: u32;
-    var phi_3904_: bool;
-    var phi_3410_: type_36;
-    var phi_3411_: type_53;
-    var phi_3412_: u32;
-    var phi_3413_: bool;
-    var phi_3414_: u32;
-    var phi_3903_: bool;
-    var phi_1101_: type_36;
-    var phi_1104_: type_53;
-    var phi_1106_: u32;
-    var phi_1108_: bool;
-    var phi_1110_: u32;
-    var phi_3415_: bool;
-    var phi_3902_: bool;
+    var phi_1254_: type_7;
+    var phi_1276_: type_7;
+    var phi_1304_: u32;
+    var phi_1320_: type_47;
+    var phi_1758_: bool;
+    var phi_1787_: bool;
+    var phi_2182_: f32;
+    var phi_2183_: f32;
+    var phi_2184_: f32;
+    var phi_2185_: f32;
+    var phi_2186_: vec3<f32>;
+    var phi_2187_: vec3<f32>;
+    var phi_2188_: vec3<f32>;
+    var phi_2189_: vec3<f32>;
+    var phi_2226_: bool;
+    var phi_2235_: vec3<f32>;
+    var phi_2400_: f32;
+    var phi_2402_: f32;
+    var phi_2403_: bool;
+    var phi_2423_: f32;
+    var phi_2424_: f32;
+    var phi_2447_: type_19;
+    var phi_2449_: type_19;
+    var phi_2450_: bool;
+    var phi_2454_: type_19;
+    var phi_2455_: type_19;
+    var phi_2456_: type_19;
+    var phi_2457_: bool;
+    var phi_2461_: type_19;
+    var phi_2462_: bool;
+    var phi_2463_: type_19;
+    var phi_2464_: bool;
+    var phi_2465_: bool;
+    var phi_2466_: type_19;
+    var phi_2467_: bool;
+    var phi_2468_: bool;
+    var phi_2476_: type_19;
+    var phi_2477_: bool;
+    var phi_2481_: type_19;
+    var phi_2506_: bool;
+    var phi_2507_: bool;
+    var phi_2514_: type_36;
+    var phi_2515_: type_36;
+    var phi_2516_: type_36;
+    var phi_1251_: type_36;
+    var phi_3856_: bool;
+    var phi_4038_: bool;
+    var phi_3533_: type_36;
+    var phi_3534_: bool;
+    var phi_3535_: u32;
+    var phi_3536_: type_53;
+    var phi_4037_: bool;
+    var phi_3537_: type_36;
+    var phi_3538_: bool;
+    var phi_3539_: u32;
+    var phi_3540_: u32;
+    var phi_3541_: type_53;
+    var phi_4036_: bool;
+    var phi_3542_: type_36;
+    var phi_3543_: bool;
+    var phi_3544_: u32;
+    var phi_3545_: u32;
+    var phi_3546_: type_53;
+    var phi_4035_: bool;
+    var phi_1124_: type_36;
+    var phi_1127_: bool;
+    var phi_1129_: u32;
+    var phi_1131_: u32;
+    var phi_1133_: type_53;
+    var phi_3547_: bool;
+    var phi_4034_: bool;
     var local_10: type_36;
-    var phi_3453_: f32;
-    var phi_3455_: f32;
-    var phi_3456_: bool;
-    var phi_3457_: f32;
-    var phi_3458_: bool;
-    var phi_3644_: u32;
-    var phi_3662_: bool;
-    var phi_3665_: bool;
-    var phi_3678_: f32;
-    var phi_3679_: f32;
-    var phi_3684_: f32;
-    var phi_3685_: f32;
-    var phi_3686_: bool;
-    var phi_3694_: f32;
-    var phi_3473_: f32;
-    var phi_3474_: f32;
-    var phi_3486_: f32;
-    var phi_3491_: type_19;
+    var phi_3585_: f32;
+    var phi_3587_: f32;
+    var phi_3588_: bool;
+    var phi_3589_: f32;
+    var phi_3590_: bool;
+    var phi_3776_: u32;
+    var phi_3794_: bool;
+    var phi_3797_: bool;
+    var phi_3810_: f32;
+    var phi_3811_: f32;
+    var phi_3816_: f32;
+    var phi_3817_: f32;
+    var phi_3818_: bool;
+    var phi_3826_: f32;
+    var phi_3605_: f32;
+    var phi_3606_: f32;
+    var phi_3618_: f32;
+    var phi_3623_: type_19;
     var local_11: type_36;
     var local_12: type_36;
 
@@ -313,203 +313,203 @@ fn function_() {
                         if _e223 {
                             let _e226 = (bitcast<u32>(bitcast<f32>(_e196)) & 2147483647u);
                             if (_e226 >= 8388608u) {
-                                phi_429_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+                                phi_438_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_429_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                                phi_438_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
                             }
-                            let _e240 = phi_429_;
-                            phi_430_ = _e240;
+                            let _e240 = phi_438_;
+                            phi_439_ = _e240;
                         } else {
-                            phi_430_ = 0i;
+                            phi_439_ = 0i;
                         }
-                        let _e242 = phi_430_;
+                        let _e242 = phi_439_;
                         let _e243 = (_e152 == _e196);
                         if _e243 {
-                            phi_440_ = true;
+                            phi_449_ = true;
                         } else {
-                            phi_440_ = (_e160 == _e196);
+                            phi_449_ = (_e160 == _e196);
                         }
-                        let _e246 = phi_440_;
+                        let _e246 = phi_449_;
                         let _e247 = select(1u, 0u, _e243);
                         if _e246 {
                             let _e248 = (_e247 + 1u);
-                            phi_450_ = _e248;
-                            phi_451_ = _e248;
-                            phi_453_ = select(true, false, (_e248 == 2u));
+                            phi_459_ = _e248;
+                            phi_460_ = _e248;
+                            phi_462_ = select(true, false, (_e248 == 2u));
                         } else {
-                            phi_450_ = u32();
-                            phi_451_ = 0u;
-                            phi_453_ = true;
+                            phi_459_ = u32();
+                            phi_460_ = 0u;
+                            phi_462_ = true;
                         }
-                        let _e252 = phi_450_;
-                        let _e254 = phi_451_;
-                        let _e256 = phi_453_;
+                        let _e252 = phi_459_;
+                        let _e254 = phi_460_;
+                        let _e256 = phi_462_;
                         if _e256 {
-                            phi_458_ = (_e254 + 1u);
+                            phi_467_ = (_e254 + 1u);
                         } else {
-                            phi_458_ = 0u;
+                            phi_467_ = 0u;
                         }
-                        let _e260 = phi_458_;
+                        let _e260 = phi_467_;
                         let _e261 = select(_e252, _e254, _e256);
                         let _e262 = select(_e247, select(2u, _e247, _e246), _e256);
                         let _e263 = -(_e242);
                         if (_e263 < -126i) {
-                            phi_490_ = -126i;
+                            phi_500_ = -126i;
                         } else {
-                            phi_490_ = select(_e263, 127i, (_e263 > 127i));
+                            phi_500_ = select(_e263, 127i, (_e263 > 127i));
                         }
-                        let _e268 = phi_490_;
+                        let _e268 = phi_500_;
                         let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
                         let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
                         let _e284 = global_3.member[_e131].member.member;
                         let _e285 = (_e261 == 0u);
                         if _e285 {
-                            phi_508_ = _e284[0];
+                            phi_518_ = _e284[0];
                         } else {
-                            phi_508_ = _e284[1];
+                            phi_518_ = _e284[1];
                         }
-                        let _e289 = phi_508_;
+                        let _e289 = phi_518_;
                         let _e290 = (_e261 == 2u);
                         if _e290 {
-                            phi_514_ = _e284[2];
+                            phi_524_ = _e284[2];
                         } else {
-                            phi_514_ = _e289;
+                            phi_524_ = _e289;
                         }
-                        let _e293 = phi_514_;
+                        let _e293 = phi_524_;
                         let _e294 = bitcast<u32>(_e293);
                         let _e296 = ((_e294 & 2139095040u) != 0u);
                         let _e308 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e293, _e296) * select(0.00000011920929f, 1f, _e296));
                         let _e309 = global_3.member[_e131].member.member_2;
                         if _e285 {
-                            phi_554_ = _e309[0];
+                            phi_564_ = _e309[0];
                         } else {
-                            phi_554_ = _e309[1];
+                            phi_564_ = _e309[1];
                         }
-                        let _e313 = phi_554_;
+                        let _e313 = phi_564_;
                         if _e290 {
-                            phi_560_ = _e309[2];
+                            phi_570_ = _e309[2];
                         } else {
-                            phi_560_ = _e313;
+                            phi_570_ = _e313;
                         }
-                        let _e316 = phi_560_;
+                        let _e316 = phi_570_;
                         let _e317 = bitcast<u32>(_e316);
                         let _e319 = ((_e317 & 2139095040u) != 0u);
                         let _e333 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e316, _e319) * _e273) * select(0.00000011920929f, 1f, _e319)) * _e279);
                         let _e337 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e337 {
                             let _e341 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) * 0.00000011920929f);
-                            phi_612_ = select(0.00000000000011368684f, _e341, (_e341 > 0.00000000000011368684f));
+                            phi_622_ = select(0.00000000000011368684f, _e341, (_e341 > 0.00000000000011368684f));
                         } else {
-                            phi_612_ = 0f;
+                            phi_622_ = 0f;
                         }
-                        let _e345 = phi_612_;
+                        let _e345 = phi_622_;
                         let _e346 = (_e308 + _e345);
                         let _e347 = (_e308 - _e345);
                         let _e348 = select(_e333, 0f, _e337);
                         if _e337 {
-                            phi_623_ = 38685626000000000000000000f;
+                            phi_634_ = 38685626000000000000000000f;
                         } else {
-                            phi_623_ = (1f / _e333);
+                            phi_634_ = (1f / _e333);
                         }
-                        let _e351 = phi_623_;
+                        let _e351 = phi_634_;
                         let _e352 = (_e260 == 0u);
                         if _e352 {
-                            phi_632_ = _e284[0];
+                            phi_643_ = _e284[0];
                         } else {
-                            phi_632_ = _e284[1];
+                            phi_643_ = _e284[1];
                         }
-                        let _e356 = phi_632_;
+                        let _e356 = phi_643_;
                         let _e357 = (_e260 == 2u);
                         if _e357 {
-                            phi_638_ = _e284[2];
+                            phi_649_ = _e284[2];
                         } else {
-                            phi_638_ = _e356;
+                            phi_649_ = _e356;
                         }
-                        let _e360 = phi_638_;
+                        let _e360 = phi_649_;
                         let _e361 = bitcast<u32>(_e360);
                         let _e363 = ((_e361 & 2139095040u) != 0u);
                         let _e375 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e361 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e361 & 2147483648u))), _e360, _e363) * select(0.00000011920929f, 1f, _e363));
                         if _e352 {
-                            phi_678_ = _e309[0];
+                            phi_689_ = _e309[0];
                         } else {
-                            phi_678_ = _e309[1];
+                            phi_689_ = _e309[1];
                         }
-                        let _e379 = phi_678_;
+                        let _e379 = phi_689_;
                         if _e357 {
-                            phi_684_ = _e309[2];
+                            phi_695_ = _e309[2];
                         } else {
-                            phi_684_ = _e379;
+                            phi_695_ = _e379;
                         }
-                        let _e382 = phi_684_;
+                        let _e382 = phi_695_;
                         let _e383 = bitcast<u32>(_e382);
                         let _e385 = ((_e383 & 2139095040u) != 0u);
                         let _e399 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e383 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e383 & 2147483648u))), _e382, _e385) * _e273) * select(0.00000011920929f, 1f, _e385)) * _e279);
                         let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e403 {
                             let _e407 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
-                            phi_736_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
+                            phi_747_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
                         } else {
-                            phi_736_ = 0f;
+                            phi_747_ = 0f;
                         }
-                        let _e411 = phi_736_;
+                        let _e411 = phi_747_;
                         let _e412 = (_e375 + _e411);
                         let _e413 = (_e375 - _e411);
                         let _e414 = select(_e399, 0f, _e403);
                         if _e403 {
-                            phi_747_ = 38685626000000000000000000f;
+                            phi_759_ = 38685626000000000000000000f;
                         } else {
-                            phi_747_ = (1f / _e399);
+                            phi_759_ = (1f / _e399);
                         }
-                        let _e417 = phi_747_;
+                        let _e417 = phi_759_;
                         let _e418 = (_e262 == 0u);
                         if _e418 {
-                            phi_756_ = _e284[0];
+                            phi_768_ = _e284[0];
                         } else {
-                            phi_756_ = _e284[1];
+                            phi_768_ = _e284[1];
                         }
-                        let _e422 = phi_756_;
+                        let _e422 = phi_768_;
                         let _e423 = (_e262 == 2u);
                         if _e423 {
-                            phi_762_ = _e284[2];
+                            phi_774_ = _e284[2];
                         } else {
-                            phi_762_ = _e422;
+                            phi_774_ = _e422;
                         }
-                        let _e426 = phi_762_;
+                        let _e426 = phi_774_;
                         let _e427 = bitcast<u32>(_e426);
                         let _e429 = ((_e427 & 2139095040u) != 0u);
                         let _e441 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e427 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e427 & 2147483648u))), _e426, _e429) * select(0.00000011920929f, 1f, _e429));
                         if _e418 {
-                            phi_802_ = _e309[0];
+                            phi_814_ = _e309[0];
                         } else {
-                            phi_802_ = _e309[1];
+                            phi_814_ = _e309[1];
                         }
-                        let _e445 = phi_802_;
+                        let _e445 = phi_814_;
                         if _e423 {
-                            phi_808_ = _e309[2];
+                            phi_820_ = _e309[2];
                         } else {
-                            phi_808_ = _e445;
+                            phi_820_ = _e445;
                         }
-                        let _e448 = phi_808_;
+                        let _e448 = phi_820_;
                         let _e449 = bitcast<u32>(_e448);
                         let _e451 = ((_e449 & 2139095040u) != 0u);
                         let _e465 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e449 & 2147483648u))), _e448, _e451) * _e273) * select(0.00000011920929f, 1f, _e451)) * _e279);
                         let _e469 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e469 {
                             let _e473 = (bitcast<f32>((bitcast<u32>(_e441) & 2147483647u)) * 0.00000011920929f);
-                            phi_860_ = select(0.00000000000011368684f, _e473, (_e473 > 0.00000000000011368684f));
+                            phi_872_ = select(0.00000000000011368684f, _e473, (_e473 > 0.00000000000011368684f));
                         } else {
-                            phi_860_ = 0f;
+                            phi_872_ = 0f;
                         }
-                        let _e477 = phi_860_;
+                        let _e477 = phi_872_;
                         let _e478 = (_e441 + _e477);
                         let _e479 = (_e441 - _e477);
                         let _e480 = select(_e465, 0f, _e469);
                         if _e469 {
-                            phi_871_ = 38685626000000000000000000f;
+                            phi_884_ = 38685626000000000000000000f;
                         } else {
-                            phi_871_ = (1f / _e465);
+                            phi_884_ = (1f / _e465);
                         }
-                        let _e483 = phi_871_;
+                        let _e483 = phi_884_;
                         let _e486 = bitcast<f32>((bitcast<u32>(_e308) & 2147483647u));
                         let _e489 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
                         let _e491 = select(_e489, _e486, (_e486 > _e489));
@@ -520,55 +520,55 @@ fn function_() {
                             let _e513 = (_e506 == 0u);
                             let _e516 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, _e513)) - 8i);
                             if (_e509 == 255i) {
-                                phi_926_ = 255i;
+                                phi_939_ = 255i;
                             } else {
-                                phi_926_ = (((_e509 + select(0i, 1i, (_e509 == 0i))) - _e516) + _e242);
+                                phi_939_ = (((_e509 + select(0i, 1i, (_e509 == 0i))) - _e516) + _e242);
                             }
-                            let _e524 = phi_926_;
+                            let _e524 = phi_939_;
                             let _e534 = (_e524 <= 0i);
                             if _e534 {
-                                phi_949_ = u32();
+                                phi_962_ = u32();
                             } else {
                                 if _e513 {
-                                    phi_948_ = u32();
+                                    phi_961_ = u32();
                                 } else {
-                                    phi_948_ = select(((bitcast<u32>(_e524) << bitcast<u32>(23i)) | ((_e506 << bitcast<u32>(((_e516 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e524 >= 255i));
+                                    phi_961_ = select(((bitcast<u32>(_e524) << bitcast<u32>(23i)) | ((_e506 << bitcast<u32>(((_e516 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e524 >= 255i));
                                 }
-                                let _e538 = phi_948_;
-                                phi_949_ = _e538;
+                                let _e538 = phi_961_;
+                                phi_962_ = _e538;
                             }
-                            let _e540 = phi_949_;
+                            let _e540 = phi_962_;
                             let _e552 = ((_e219 & 8388607u) | (select(0u, 1u, ((_e219 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e555 = bitcast<i32>((_e219 >> bitcast<u32>(23i)));
                             let _e559 = (_e552 == 0u);
                             let _e562 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e552)), 32u, _e559)) - 8i);
                             if (_e555 == 255i) {
-                                phi_986_ = 255i;
+                                phi_999_ = 255i;
                             } else {
-                                phi_986_ = (((_e555 + select(0i, 1i, (_e555 == 0i))) - _e562) + _e242);
+                                phi_999_ = (((_e555 + select(0i, 1i, (_e555 == 0i))) - _e562) + _e242);
                             }
-                            let _e570 = phi_986_;
+                            let _e570 = phi_999_;
                             let _e580 = (_e570 <= 0i);
                             if _e580 {
-                                phi_1009_ = u32();
+                                phi_1022_ = u32();
                             } else {
                                 if _e559 {
-                                    phi_1008_ = u32();
+                                    phi_1021_ = u32();
                                 } else {
-                                    phi_1008_ = select(((bitcast<u32>(_e570) << bitcast<u32>(23i)) | ((_e552 << bitcast<u32>(((_e562 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e570 >= 255i));
+                                    phi_1021_ = select(((bitcast<u32>(_e570) << bitcast<u32>(23i)) | ((_e552 << bitcast<u32>(((_e562 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e570 >= 255i));
                                 }
-                                let _e584 = phi_1008_;
-                                phi_1009_ = _e584;
+                                let _e584 = phi_1021_;
+                                phi_1022_ = _e584;
                             }
-                            let _e586 = phi_1009_;
-                            phi_1017_ = bitcast<f32>(((_e218 & 2147483648u) | select(_e586, 0u, select(_e559, true, _e580))));
-                            phi_1018_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e540, 0u, select(_e513, true, _e534))));
+                            let _e586 = phi_1022_;
+                            phi_1030_ = bitcast<f32>(((_e218 & 2147483648u) | select(_e586, 0u, select(_e559, true, _e580))));
+                            phi_1031_ = bitcast<f32>(((_e208 & 2147483648u) | select(_e540, 0u, select(_e513, true, _e534))));
                         } else {
-                            phi_1017_ = 0f;
-                            phi_1018_ = 1f;
+                            phi_1030_ = 0f;
+                            phi_1031_ = 1f;
                         }
-                        let _e592 = phi_1017_;
-                        let _e594 = phi_1018_;
+                        let _e592 = phi_1030_;
+                        let _e594 = phi_1031_;
                         if _e138 {
                         } else {
                             break;
@@ -620,172 +620,172 @@ fn function_() {
                             break;
                         }
                         let _e623 = local_8[_e612];
-                        phi_3730_ = false;
-                        phi_1100_ = type_36(type_34(type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e592), 0u, 0u);
-                        phi_1103_ = type_53(type_45(array<f32, 3>(_e607, _e611, _e615), array<f32, 3>(_e619, _e621, _e623)), select(0u, 2147483648u, (_e88 == 0u)));
-                        phi_1105_ = ((3u * _e88) + 1u);
-                        phi_1107_ = (_e594 <= _e592);
-                        phi_1109_ = 0u;
+                        phi_3862_ = false;
+                        phi_1123_ = type_36(type_34(type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e592), 0u, 0u);
+                        phi_1126_ = (_e594 <= _e592);
+                        phi_1128_ = ((3u * _e88) + 1u);
+                        phi_1130_ = 0u;
+                        phi_1132_ = type_53(type_45(array<f32, 3>(_e607, _e611, _e615), array<f32, 3>(_e619, _e621, _e623)), select(0u, 2147483648u, (_e88 == 0u)));
                         loop {
-                            let _e631 = phi_3730_;
-                            let _e633 = phi_1100_;
-                            let _e635 = phi_1103_;
-                            let _e637 = phi_1105_;
-                            let _e639 = phi_1107_;
-                            let _e641 = phi_1109_;
+                            let _e631 = phi_3862_;
+                            let _e633 = phi_1123_;
+                            let _e635 = phi_1126_;
+                            let _e637 = phi_1128_;
+                            let _e639 = phi_1130_;
+                            let _e641 = phi_1132_;
                             local_10 = _e633;
                             local_11 = _e633;
-                            if _e639 {
-                                phi_1120_ = true;
+                            if _e635 {
+                                phi_1143_ = true;
                             } else {
-                                phi_1120_ = (_e641 > 0u);
+                                phi_1143_ = (_e639 > 0u);
                             }
-                            let _e644 = phi_1120_;
+                            let _e644 = phi_1143_;
                             if _e644 {
                                 let _e645 = (_e637 > 0u);
                                 if _e645 {
-                                    if _e639 {
-                                        phi_1206_ = _e635;
-                                        phi_1207_ = _e639;
-                                        phi_1208_ = _e641;
+                                    if _e635 {
+                                        phi_1229_ = _e635;
+                                        phi_1230_ = _e639;
+                                        phi_1231_ = _e641;
                                     } else {
-                                        let _e646 = (_e641 - 1u);
+                                        let _e646 = (_e639 - 1u);
                                         let _e647 = (_e646 % 128u);
                                         let _e648 = (_e647 < 128u);
                                         if _e648 {
                                         } else {
-                                            phi_3902_ = true;
+                                            phi_4034_ = true;
                                             break;
                                         }
                                         let _e650 = local_6[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_3902_ = true;
+                                            phi_4034_ = true;
                                             break;
                                         }
                                         let _e652 = local_5[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_3902_ = true;
+                                            phi_4034_ = true;
                                             break;
                                         }
                                         let _e654 = local_4[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_3902_ = true;
+                                            phi_4034_ = true;
                                             break;
                                         }
                                         let _e656 = local_3[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_3902_ = true;
+                                            phi_4034_ = true;
                                             break;
                                         }
                                         let _e659 = local_2[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_3902_ = true;
+                                            phi_4034_ = true;
                                             break;
                                         }
                                         let _e661 = local_1[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_3902_ = true;
+                                            phi_4034_ = true;
                                             break;
                                         }
                                         let _e663 = local[_e647];
                                         if _e648 {
                                         } else {
-                                            phi_3902_ = true;
+                                            phi_4034_ = true;
                                             break;
                                         }
                                         let _e668 = local_7[_e647];
-                                        phi_1206_ = type_53(type_45(array<f32, 3>(_e652, _e654, _e656), array<f32, 3>(_e659, _e661, _e663)), _e650);
-                                        phi_1207_ = (_e668 <= _e633.member.member_1);
-                                        phi_1208_ = _e646;
+                                        phi_1229_ = (_e668 <= _e633.member.member_1);
+                                        phi_1230_ = _e646;
+                                        phi_1231_ = type_53(type_45(array<f32, 3>(_e652, _e654, _e656), array<f32, 3>(_e659, _e661, _e663)), _e650);
                                     }
-                                    let _e673 = phi_1206_;
-                                    let _e675 = phi_1207_;
-                                    let _e677 = phi_1208_;
-                                    if _e675 {
-                                        if ((_e673.member_1 & 2147483648u) != 0u) {
-                                            phi_1227_ = _e633;
-                                            phi_1230_ = type_7(0u, ((_e673.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e673 = phi_1229_;
+                                    let _e675 = phi_1230_;
+                                    let _e677 = phi_1231_;
+                                    if _e673 {
+                                        if ((_e677.member_1 & 2147483648u) != 0u) {
+                                            phi_1250_ = _e633;
+                                            phi_1253_ = type_7(0u, ((_e677.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1061 = phi_1227_;
-                                                let _e1063 = phi_1230_;
+                                                let _e1061 = phi_1250_;
+                                                let _e1063 = phi_1253_;
                                                 local_12 = _e1061;
                                                 if (_e1063.member < _e1063.member_1) {
-                                                    phi_1231_ = type_7((_e1063.member + 1u), _e1063.member_1);
-                                                    phi_1253_ = type_7(1u, _e1063.member);
+                                                    phi_1254_ = type_7((_e1063.member + 1u), _e1063.member_1);
+                                                    phi_1276_ = type_7(1u, _e1063.member);
                                                 } else {
-                                                    phi_1231_ = _e1063;
-                                                    phi_1253_ = type_7(0u, type_7().member_1);
+                                                    phi_1254_ = _e1063;
+                                                    phi_1276_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1076 = phi_1231_;
-                                                let _e1078 = phi_1253_;
+                                                let _e1076 = phi_1254_;
+                                                let _e1078 = phi_1276_;
                                                 let _e1082 = (bitcast<i32>(_e1078.member) != 0i);
                                                 if _e1082 {
                                                     let _e1088 = type_36(_e1061.member, _e1061.member_1, (_e1061.member_2 + 1u));
-                                                    let _e1089 = ((_e673.member_1 & 268435455u) + _e1078.member_1);
+                                                    let _e1089 = ((_e677.member_1 & 268435455u) + _e1078.member_1);
                                                     let _e1090 = (_e1089 < arrayLength((&global_7.member)));
                                                     if _e1090 {
                                                         if _e1090 {
                                                         } else {
-                                                            phi_3724_ = true;
+                                                            phi_3856_ = true;
                                                             break;
                                                         }
                                                         let _e1093 = global_7.member[_e1089].member_1;
-                                                        phi_1281_ = _e1093;
+                                                        phi_1304_ = _e1093;
                                                     } else {
-                                                        phi_1281_ = 4294967295u;
+                                                        phi_1304_ = 4294967295u;
                                                     }
-                                                    let _e1095 = phi_1281_;
+                                                    let _e1095 = phi_1304_;
                                                     if _e1090 {
                                                         if _e1090 {
                                                         } else {
-                                                            phi_3724_ = true;
+                                                            phi_3856_ = true;
                                                             break;
                                                         }
                                                         let _e1097 = global_7.member[_e1089];
-                                                        phi_1297_ = _e1097;
+                                                        phi_1320_ = _e1097;
                                                     } else {
-                                                        phi_1297_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_1320_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e1099 = phi_1297_;
+                                                    let _e1099 = phi_1320_;
                                                     let _e1111 = ((10u * _e261) & 31u);
                                                     let _e1114 = ((_e1099.member[0] >> bitcast<u32>(_e1111)) & 1023u);
-                                                    let _e1122 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[0] - _e673.member.member[0]) * 0.0009775171f)) ^ _e127));
-                                                    let _e1127 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1114)) - 8388608f) * _e1122)) ^ _e127)));
-                                                    let _e1131 = select(select(_e673.member.member_1[0], _e1127, (_e1127 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1114 == 1023u));
+                                                    let _e1122 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e127));
+                                                    let _e1127 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1114)) - 8388608f) * _e1122)) ^ _e127)));
+                                                    let _e1131 = select(select(_e677.member.member_1[0], _e1127, (_e1127 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1114 == 1023u));
                                                     let _e1133 = ((10u * _e260) & 31u);
                                                     let _e1136 = ((_e1099.member[0] >> bitcast<u32>(_e1133)) & 1023u);
-                                                    let _e1144 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[1] - _e673.member.member[1]) * 0.0009775171f)) ^ _e127));
-                                                    let _e1149 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1136)) - 8388608f) * _e1144)) ^ _e127)));
-                                                    let _e1153 = select(select(_e673.member.member_1[1], _e1149, (_e1149 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1136 == 1023u));
+                                                    let _e1144 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e127));
+                                                    let _e1149 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1136)) - 8388608f) * _e1144)) ^ _e127)));
+                                                    let _e1153 = select(select(_e677.member.member_1[1], _e1149, (_e1149 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1136 == 1023u));
                                                     let _e1155 = ((10u * _e262) & 31u);
                                                     let _e1158 = ((_e1099.member[0] >> bitcast<u32>(_e1155)) & 1023u);
-                                                    let _e1166 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[2] - _e673.member.member[2]) * 0.0009775171f)) ^ _e127));
-                                                    let _e1171 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1158)) - 8388608f) * _e1166)) ^ _e127)));
-                                                    let _e1175 = select(select(_e673.member.member_1[2], _e1171, (_e1171 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1158 == 1023u));
+                                                    let _e1166 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e127));
+                                                    let _e1171 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1158)) - 8388608f) * _e1166)) ^ _e127)));
+                                                    let _e1175 = select(select(_e677.member.member_1[2], _e1171, (_e1171 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1158 == 1023u));
                                                     let _e1179 = ((_e1099.member[1] >> bitcast<u32>(_e1111)) & 1023u);
-                                                    let _e1187 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1179)) - 8388608f) * _e1122)) ^ _e127)));
-                                                    let _e1191 = select(select(_e673.member.member_1[0], _e1187, (_e1187 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1179 == 1023u));
+                                                    let _e1187 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1179)) - 8388608f) * _e1122)) ^ _e127)));
+                                                    let _e1191 = select(select(_e677.member.member_1[0], _e1187, (_e1187 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1179 == 1023u));
                                                     let _e1194 = ((_e1099.member[1] >> bitcast<u32>(_e1133)) & 1023u);
-                                                    let _e1202 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1194)) - 8388608f) * _e1144)) ^ _e127)));
-                                                    let _e1206 = select(select(_e673.member.member_1[1], _e1202, (_e1202 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1194 == 1023u));
+                                                    let _e1202 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1194)) - 8388608f) * _e1144)) ^ _e127)));
+                                                    let _e1206 = select(select(_e677.member.member_1[1], _e1202, (_e1202 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1194 == 1023u));
                                                     let _e1209 = ((_e1099.member[1] >> bitcast<u32>(_e1155)) & 1023u);
-                                                    let _e1217 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1209)) - 8388608f) * _e1166)) ^ _e127)));
-                                                    let _e1221 = select(select(_e673.member.member_1[2], _e1217, (_e1217 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1209 == 1023u));
+                                                    let _e1217 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1209)) - 8388608f) * _e1166)) ^ _e127)));
+                                                    let _e1221 = select(select(_e677.member.member_1[2], _e1217, (_e1217 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1209 == 1023u));
                                                     let _e1225 = ((_e1099.member[2] >> bitcast<u32>(_e1111)) & 1023u);
-                                                    let _e1233 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1225)) - 8388608f) * _e1122)) ^ _e127)));
-                                                    let _e1237 = select(select(_e673.member.member_1[0], _e1233, (_e1233 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e1225 == 1023u));
+                                                    let _e1233 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1225)) - 8388608f) * _e1122)) ^ _e127)));
+                                                    let _e1237 = select(select(_e677.member.member_1[0], _e1233, (_e1233 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e1225 == 1023u));
                                                     let _e1240 = ((_e1099.member[2] >> bitcast<u32>(_e1133)) & 1023u);
-                                                    let _e1248 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1240)) - 8388608f) * _e1144)) ^ _e127)));
-                                                    let _e1252 = select(select(_e673.member.member_1[1], _e1248, (_e1248 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e1240 == 1023u));
+                                                    let _e1248 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1240)) - 8388608f) * _e1144)) ^ _e127)));
+                                                    let _e1252 = select(select(_e677.member.member_1[1], _e1248, (_e1248 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e1240 == 1023u));
                                                     let _e1255 = ((_e1099.member[2] >> bitcast<u32>(_e1155)) & 1023u);
-                                                    let _e1263 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1255)) - 8388608f) * _e1166)) ^ _e127)));
-                                                    let _e1267 = select(select(_e673.member.member_1[2], _e1263, (_e1263 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e1255 == 1023u));
+                                                    let _e1263 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e1255)) - 8388608f) * _e1166)) ^ _e127)));
+                                                    let _e1267 = select(select(_e677.member.member_1[2], _e1263, (_e1263 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e1255 == 1023u));
                                                     let _e1272 = (_e1175 - _e441);
                                                     let _e1275 = (((_e1131 - _e308) * _e480) - (_e1272 * _e348));
                                                     let _e1278 = (((_e1153 - _e375) * _e480) - (_e1272 * _e414));
@@ -812,34 +812,34 @@ fn function_() {
                                                         let _e1326 = select(0f, _e1324, (_e1324 > 0f));
                                                         let _e1328 = ((_e1318 + _e1322) + _e1326);
                                                         if (_e1328 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2375_ = type_19();
-                                                            phi_2376_ = true;
-                                                            phi_2377_ = false;
+                                                            phi_2466_ = type_19();
+                                                            phi_2467_ = true;
+                                                            phi_2468_ = false;
                                                         } else {
                                                             let _e1331 = select(_e1284, _e1275, (_e1275 < _e1284));
                                                             if (select(_e1293, _e1331, (_e1331 < _e1293)) > 0f) {
-                                                                phi_1691_ = true;
+                                                                phi_1758_ = true;
                                                             } else {
                                                                 let _e1336 = select(_e1284, _e1275, (_e1275 > _e1284));
-                                                                phi_1691_ = (select(_e1293, _e1336, (_e1336 > _e1293)) < 0f);
+                                                                phi_1758_ = (select(_e1293, _e1336, (_e1336 > _e1293)) < 0f);
                                                             }
-                                                            let _e1341 = phi_1691_;
+                                                            let _e1341 = phi_1758_;
                                                             if _e1341 {
-                                                                phi_2372_ = type_19();
-                                                                phi_2373_ = true;
-                                                                phi_2374_ = false;
+                                                                phi_2463_ = type_19();
+                                                                phi_2464_ = true;
+                                                                phi_2465_ = false;
                                                             } else {
                                                                 let _e1343 = select(_e1287, _e1278, (_e1278 < _e1287));
                                                                 if (select(_e1296, _e1343, (_e1343 < _e1296)) > 0f) {
-                                                                    phi_1720_ = true;
+                                                                    phi_1787_ = true;
                                                                 } else {
                                                                     let _e1348 = select(_e1287, _e1278, (_e1278 > _e1287));
-                                                                    phi_1720_ = (select(_e1296, _e1348, (_e1348 > _e1296)) < 0f);
+                                                                    phi_1787_ = (select(_e1296, _e1348, (_e1348 > _e1296)) < 0f);
                                                                 }
-                                                                let _e1353 = phi_1720_;
+                                                                let _e1353 = phi_1787_;
                                                                 if _e1353 {
-                                                                    phi_2370_ = type_19();
-                                                                    phi_2371_ = false;
+                                                                    phi_2461_ = type_19();
+                                                                    phi_2462_ = false;
                                                                 } else {
                                                                     let _e1355 = select(_e1191, _e1131, (_e1131 < _e1191));
                                                                     let _e1359 = select(_e1191, _e1131, (_e1131 > _e1191));
@@ -866,12 +866,12 @@ fn function_() {
                                                                     let _e1410 = -(_e1391);
                                                                     let _e1416 = select(_e594, _e1401, (_e1401 > _e594));
                                                                     if (_e1416 > (_e1409 + (select(_e1410, _e1393, (_e1393 > _e1410)) * 0.0000019073523f))) {
-                                                                        phi_2365_ = type_19();
-                                                                        phi_2366_ = true;
+                                                                        phi_2456_ = type_19();
+                                                                        phi_2457_ = true;
                                                                     } else {
                                                                         let _e1418 = (_e1416 > _e1061.member.member_1);
                                                                         if _e1418 {
-                                                                            phi_2364_ = type_19();
+                                                                            phi_2455_ = type_19();
                                                                         } else {
                                                                             let _e1419 = vec3<f32>(_e1131, _e1153, _e1175);
                                                                             let _e1420 = vec3<f32>(_e1191, _e1206, _e1221);
@@ -906,49 +906,49 @@ fn function_() {
                                                                             let _e1474 = select(_e1459, _e1446, (_e1446 > _e1459));
                                                                             let _e1476 = select(_e1472, _e1474, (_e1474 > _e1472));
                                                                             if (_e1446 == _e1476) {
-                                                                                phi_2097_ = _e1287;
-                                                                                phi_2098_ = _e1284;
-                                                                                phi_2099_ = _e1278;
-                                                                                phi_2100_ = _e1275;
-                                                                                phi_2101_ = _e1419;
-                                                                                phi_2102_ = _e1433;
-                                                                                phi_2103_ = _e1429;
-                                                                                phi_2104_ = _e1425;
+                                                                                phi_2182_ = _e1287;
+                                                                                phi_2183_ = _e1284;
+                                                                                phi_2184_ = _e1278;
+                                                                                phi_2185_ = _e1275;
+                                                                                phi_2186_ = _e1419;
+                                                                                phi_2187_ = _e1433;
+                                                                                phi_2188_ = _e1429;
+                                                                                phi_2189_ = _e1425;
                                                                             } else {
                                                                                 let _e1478 = (_e1459 == _e1476);
                                                                                 let _e1483 = vec3(_e1478);
-                                                                                phi_2097_ = select(_e1278, _e1296, _e1478);
-                                                                                phi_2098_ = select(_e1275, _e1293, _e1478);
-                                                                                phi_2099_ = select(_e1296, _e1287, _e1478);
-                                                                                phi_2100_ = select(_e1293, _e1284, _e1478);
-                                                                                phi_2101_ = select(_e1421, _e1420, _e1483);
-                                                                                phi_2102_ = select(_e1429, _e1425, _e1483);
-                                                                                phi_2103_ = select(_e1425, _e1433, _e1483);
-                                                                                phi_2104_ = select(_e1433, _e1429, _e1483);
+                                                                                phi_2182_ = select(_e1278, _e1296, _e1478);
+                                                                                phi_2183_ = select(_e1275, _e1293, _e1478);
+                                                                                phi_2184_ = select(_e1296, _e1287, _e1478);
+                                                                                phi_2185_ = select(_e1293, _e1284, _e1478);
+                                                                                phi_2186_ = select(_e1421, _e1420, _e1483);
+                                                                                phi_2187_ = select(_e1429, _e1425, _e1483);
+                                                                                phi_2188_ = select(_e1425, _e1433, _e1483);
+                                                                                phi_2189_ = select(_e1433, _e1429, _e1483);
                                                                             }
-                                                                            let _e1489 = phi_2097_;
-                                                                            let _e1491 = phi_2098_;
-                                                                            let _e1493 = phi_2099_;
-                                                                            let _e1495 = phi_2100_;
-                                                                            let _e1497 = phi_2101_;
-                                                                            let _e1499 = phi_2102_;
-                                                                            let _e1501 = phi_2103_;
-                                                                            let _e1503 = phi_2104_;
+                                                                            let _e1489 = phi_2182_;
+                                                                            let _e1491 = phi_2183_;
+                                                                            let _e1493 = phi_2184_;
+                                                                            let _e1495 = phi_2185_;
+                                                                            let _e1497 = phi_2186_;
+                                                                            let _e1499 = phi_2187_;
+                                                                            let _e1501 = phi_2188_;
+                                                                            let _e1503 = phi_2189_;
                                                                             let _e1510 = ((_e1501.y * _e1499.z) - (_e1499.y * _e1501.z));
                                                                             let _e1515 = ((_e1501.z * _e1499.x) - (_e1499.z * _e1501.x));
                                                                             let _e1518 = ((_e1501.x * _e1499.y) - (_e1499.x * _e1501.y));
                                                                             if (_e1318 >= _e1322) {
-                                                                                phi_2135_ = select(true, false, (_e1318 >= _e1326));
+                                                                                phi_2226_ = select(true, false, (_e1318 >= _e1326));
                                                                             } else {
-                                                                                phi_2135_ = true;
+                                                                                phi_2226_ = true;
                                                                             }
-                                                                            let _e1523 = phi_2135_;
+                                                                            let _e1523 = phi_2226_;
                                                                             if _e1523 {
-                                                                                phi_2144_ = select(_e1421, _e1420, vec3((_e1322 >= _e1326)));
+                                                                                phi_2235_ = select(_e1421, _e1420, vec3((_e1322 >= _e1326)));
                                                                             } else {
-                                                                                phi_2144_ = _e1419;
+                                                                                phi_2235_ = _e1419;
                                                                             }
-                                                                            let _e1528 = phi_2144_;
+                                                                            let _e1528 = phi_2235_;
                                                                             let _e1539 = (((_e1510 * (_e1528.x - _e308)) + (_e1515 * (_e1528.y - _e375))) + (_e1518 * (_e1528.z - _e441)));
                                                                             let _e1544 = (((_e1510 * _e348) + (_e1515 * _e414)) + (_e1518 * _e480));
                                                                             let _e1545 = (_e1491 - _e1495);
@@ -980,222 +980,222 @@ fn function_() {
                                                                                 let _e1642 = bitcast<f32>((bitcast<u32>(_e1499.z) & 2147483647u));
                                                                                 let _e1646 = (bitcast<f32>((bitcast<u32>(_e1544) & 2147483647u)) > ((0.0000038146973f * select(_e1628, _e1625, (_e1625 > _e1628))) * select(_e1642, _e1639, (_e1639 > _e1642))));
                                                                                 if _e1646 {
-                                                                                    phi_2309_ = (_e1539 / _e1544);
+                                                                                    phi_2400_ = (_e1539 / _e1544);
                                                                                 } else {
-                                                                                    phi_2309_ = f32();
+                                                                                    phi_2400_ = f32();
                                                                                 }
-                                                                                let _e1649 = phi_2309_;
-                                                                                phi_2311_ = _e1649;
-                                                                                phi_2312_ = select(true, false, _e1646);
+                                                                                let _e1649 = phi_2400_;
+                                                                                phi_2402_ = _e1649;
+                                                                                phi_2403_ = select(true, false, _e1646);
                                                                             } else {
-                                                                                phi_2311_ = f32();
-                                                                                phi_2312_ = true;
+                                                                                phi_2402_ = f32();
+                                                                                phi_2403_ = true;
                                                                             }
-                                                                            let _e1652 = phi_2311_;
-                                                                            let _e1654 = phi_2312_;
+                                                                            let _e1652 = phi_2402_;
+                                                                            let _e1654 = phi_2403_;
                                                                             if _e1654 {
                                                                                 let _e1662 = (((_e1510 * (_e1571 - (_e348 * _e1574))) + (_e1515 * (_e1572 - (_e414 * _e1574)))) / _e1544);
                                                                                 if (bitcast<f32>((bitcast<u32>(_e1662) & 2147483647u)) <= _e1476) {
-                                                                                    phi_2332_ = (_e1574 + _e1662);
+                                                                                    phi_2423_ = (_e1574 + _e1662);
                                                                                 } else {
-                                                                                    phi_2332_ = _e1574;
+                                                                                    phi_2423_ = _e1574;
                                                                                 }
-                                                                                let _e1669 = phi_2332_;
-                                                                                phi_2333_ = _e1669;
+                                                                                let _e1669 = phi_2423_;
+                                                                                phi_2424_ = _e1669;
                                                                             } else {
-                                                                                phi_2333_ = _e1652;
+                                                                                phi_2424_ = _e1652;
                                                                             }
-                                                                            let _e1671 = phi_2333_;
+                                                                            let _e1671 = phi_2424_;
                                                                             let _e1673 = select(_e1409, _e1671, (_e1671 < _e1409));
                                                                             let _e1675 = select(_e1401, _e1673, (_e1673 > _e1401));
                                                                             if (_e1675 >= _e594) {
                                                                                 let _e1677 = (_e1675 <= _e1061.member.member_1);
                                                                                 if _e1677 {
                                                                                     let _e1678 = (1f / _e1328);
-                                                                                    phi_2356_ = type_19(_e1675, (_e1322 * _e1678), (_e1326 * _e1678), _e1095);
+                                                                                    phi_2447_ = type_19(_e1675, (_e1322 * _e1678), (_e1326 * _e1678), _e1095);
                                                                                 } else {
-                                                                                    phi_2356_ = type_19();
+                                                                                    phi_2447_ = type_19();
                                                                                 }
-                                                                                let _e1683 = phi_2356_;
-                                                                                phi_2358_ = _e1683;
-                                                                                phi_2359_ = select(true, false, _e1677);
+                                                                                let _e1683 = phi_2447_;
+                                                                                phi_2449_ = _e1683;
+                                                                                phi_2450_ = select(true, false, _e1677);
                                                                             } else {
-                                                                                phi_2358_ = type_19();
-                                                                                phi_2359_ = true;
+                                                                                phi_2449_ = type_19();
+                                                                                phi_2450_ = true;
                                                                             }
-                                                                            let _e1686 = phi_2358_;
-                                                                            let _e1688 = phi_2359_;
+                                                                            let _e1686 = phi_2449_;
+                                                                            let _e1688 = phi_2450_;
                                                                             if _e1688 {
-                                                                                phi_2363_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                                phi_2454_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2363_ = _e1686;
+                                                                                phi_2454_ = _e1686;
                                                                             }
-                                                                            let _e1690 = phi_2363_;
-                                                                            phi_2364_ = _e1690;
+                                                                            let _e1690 = phi_2454_;
+                                                                            phi_2455_ = _e1690;
                                                                         }
-                                                                        let _e1692 = phi_2364_;
-                                                                        phi_2365_ = _e1692;
-                                                                        phi_2366_ = _e1418;
+                                                                        let _e1692 = phi_2455_;
+                                                                        phi_2456_ = _e1692;
+                                                                        phi_2457_ = _e1418;
                                                                     }
-                                                                    let _e1694 = phi_2365_;
-                                                                    let _e1696 = phi_2366_;
-                                                                    phi_2370_ = _e1694;
-                                                                    phi_2371_ = _e1696;
+                                                                    let _e1694 = phi_2456_;
+                                                                    let _e1696 = phi_2457_;
+                                                                    phi_2461_ = _e1694;
+                                                                    phi_2462_ = _e1696;
                                                                 }
-                                                                let _e1698 = phi_2370_;
-                                                                let _e1700 = phi_2371_;
-                                                                phi_2372_ = _e1698;
-                                                                phi_2373_ = _e1353;
-                                                                phi_2374_ = _e1700;
+                                                                let _e1698 = phi_2461_;
+                                                                let _e1700 = phi_2462_;
+                                                                phi_2463_ = _e1698;
+                                                                phi_2464_ = _e1353;
+                                                                phi_2465_ = _e1700;
                                                             }
-                                                            let _e1702 = phi_2372_;
-                                                            let _e1704 = phi_2373_;
-                                                            let _e1706 = phi_2374_;
-                                                            phi_2375_ = _e1702;
-                                                            phi_2376_ = _e1704;
-                                                            phi_2377_ = _e1706;
+                                                            let _e1702 = phi_2463_;
+                                                            let _e1704 = phi_2464_;
+                                                            let _e1706 = phi_2465_;
+                                                            phi_2466_ = _e1702;
+                                                            phi_2467_ = _e1704;
+                                                            phi_2468_ = _e1706;
                                                         }
-                                                        let _e1708 = phi_2375_;
-                                                        let _e1710 = phi_2376_;
-                                                        let _e1712 = phi_2377_;
-                                                        phi_2385_ = _e1708;
-                                                        phi_2386_ = select(_e1712, true, _e1710);
+                                                        let _e1708 = phi_2466_;
+                                                        let _e1710 = phi_2467_;
+                                                        let _e1712 = phi_2468_;
+                                                        phi_2476_ = _e1708;
+                                                        phi_2477_ = select(_e1712, true, _e1710);
                                                     } else {
-                                                        phi_2385_ = type_19();
-                                                        phi_2386_ = true;
+                                                        phi_2476_ = type_19();
+                                                        phi_2477_ = true;
                                                     }
-                                                    let _e1715 = phi_2385_;
-                                                    let _e1717 = phi_2386_;
+                                                    let _e1715 = phi_2476_;
+                                                    let _e1717 = phi_2477_;
                                                     if _e1717 {
-                                                        phi_2390_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_2481_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2390_ = _e1715;
+                                                        phi_2481_ = _e1715;
                                                     }
-                                                    let _e1719 = phi_2390_;
+                                                    let _e1719 = phi_2481_;
                                                     if (_e1719.member_3 != 4294967295u) {
                                                         if (_e1095 != _e600) {
                                                             if (_e1719.member < _e1061.member.member.member) {
-                                                                phi_2416_ = true;
+                                                                phi_2507_ = true;
                                                             } else {
                                                                 if (_e1719.member == _e1061.member.member.member) {
-                                                                    phi_2415_ = (_e1719.member_3 < _e1061.member.member.member_3);
+                                                                    phi_2506_ = (_e1719.member_3 < _e1061.member.member.member_3);
                                                                 } else {
-                                                                    phi_2415_ = false;
+                                                                    phi_2506_ = false;
                                                                 }
-                                                                let _e1734 = phi_2415_;
-                                                                phi_2416_ = _e1734;
+                                                                let _e1734 = phi_2506_;
+                                                                phi_2507_ = _e1734;
                                                             }
-                                                            let _e1736 = phi_2416_;
+                                                            let _e1736 = phi_2507_;
                                                             if _e1736 {
-                                                                phi_2423_ = type_36(type_34(_e1719, _e1719.member), _e1088.member_1, _e1088.member_2);
+                                                                phi_2514_ = type_36(type_34(_e1719, _e1719.member), _e1088.member_1, _e1088.member_2);
                                                             } else {
-                                                                phi_2423_ = _e1088;
+                                                                phi_2514_ = _e1088;
                                                             }
-                                                            let _e1743 = phi_2423_;
-                                                            phi_2424_ = _e1743;
+                                                            let _e1743 = phi_2514_;
+                                                            phi_2515_ = _e1743;
                                                         } else {
-                                                            phi_2424_ = _e1088;
+                                                            phi_2515_ = _e1088;
                                                         }
-                                                        let _e1745 = phi_2424_;
-                                                        phi_2425_ = _e1745;
+                                                        let _e1745 = phi_2515_;
+                                                        phi_2516_ = _e1745;
                                                     } else {
-                                                        phi_2425_ = _e1088;
+                                                        phi_2516_ = _e1088;
                                                     }
-                                                    let _e1747 = phi_2425_;
-                                                    phi_1228_ = _e1747;
+                                                    let _e1747 = phi_2516_;
+                                                    phi_1251_ = _e1747;
                                                 } else {
-                                                    phi_1228_ = type_36();
+                                                    phi_1251_ = type_36();
                                                 }
-                                                let _e1749 = phi_1228_;
+                                                let _e1749 = phi_1251_;
                                                 continue;
                                                 continuing {
-                                                    phi_1227_ = _e1749;
-                                                    phi_1230_ = _e1076;
-                                                    phi_3724_ = _e631;
+                                                    phi_1250_ = _e1749;
+                                                    phi_1253_ = _e1076;
+                                                    phi_3856_ = _e631;
                                                     break if !(_e1082);
                                                 }
                                             }
-                                            let _e1752 = phi_3724_;
-                                            phi_3902_ = _e1752;
+                                            let _e1752 = phi_3856_;
+                                            phi_4034_ = _e1752;
                                             if _e1752 {
                                                 break;
                                             }
-                                            phi_3906_ = _e1752;
+                                            phi_4038_ = _e1752;
                                             let _e2080 = local_12;
-                                            phi_3401_ = _e2080;
-                                            phi_3402_ = _e673;
-                                            phi_3403_ = false;
-                                            phi_3404_ = _e677;
+                                            phi_3533_ = _e2080;
+                                            phi_3534_ = false;
+                                            phi_3535_ = _e675;
+                                            phi_3536_ = _e677;
                                         } else {
-                                            let _e693 = (_e673.member_1 < _e88);
-                                            if _e693 {
-                                                if _e693 {
+                                            let _e687 = (_e677.member_1 < _e88);
+                                            if _e687 {
+                                                if _e687 {
                                                 } else {
-                                                    phi_3902_ = true;
+                                                    phi_4034_ = true;
                                                     break;
                                                 }
-                                                let _e695 = global_6.member[_e673.member_1];
-                                                phi_2447_ = _e695;
+                                                let _e689 = global_6.member[_e677.member_1];
+                                                phi_2542_ = _e689;
                                             } else {
-                                                phi_2447_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2542_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e697 = phi_2447_;
-                                            let _e712 = ((10u * _e261) & 31u);
-                                            let _e715 = ((_e697.member[0] >> bitcast<u32>(_e712)) & 1023u);
-                                            let _e723 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[0] - _e673.member.member[0]) * 0.0009775171f)) ^ _e127));
-                                            let _e728 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e715)) - 8388608f) * _e723)) ^ _e127)));
-                                            let _e732 = select(select(_e673.member.member_1[0], _e728, (_e728 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e715 == 1023u));
-                                            let _e734 = ((10u * _e260) & 31u);
-                                            let _e737 = ((_e697.member[0] >> bitcast<u32>(_e734)) & 1023u);
-                                            let _e745 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[1] - _e673.member.member[1]) * 0.0009775171f)) ^ _e127));
-                                            let _e750 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e737)) - 8388608f) * _e745)) ^ _e127)));
-                                            let _e754 = select(select(_e673.member.member_1[1], _e750, (_e750 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e737 == 1023u));
-                                            let _e756 = ((10u * _e262) & 31u);
-                                            let _e759 = ((_e697.member[0] >> bitcast<u32>(_e756)) & 1023u);
-                                            let _e767 = bitcast<f32>((bitcast<u32>(((_e673.member.member_1[2] - _e673.member.member[2]) * 0.0009775171f)) ^ _e127));
-                                            let _e772 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e759)) - 8388608f) * _e767)) ^ _e127)));
-                                            let _e776 = select(select(_e673.member.member_1[2], _e772, (_e772 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e759 == 1023u));
-                                            let _e779 = ((_e697.member[1] >> bitcast<u32>(_e712)) & 1023u);
-                                            let _e787 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e779)) - 8388608f) * _e723)) ^ _e127)));
-                                            let _e791 = select(select(_e673.member.member_1[0], _e787, (_e787 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e779 == 1023u));
-                                            let _e794 = ((_e697.member[1] >> bitcast<u32>(_e734)) & 1023u);
-                                            let _e802 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e794)) - 8388608f) * _e745)) ^ _e127)));
-                                            let _e806 = select(select(_e673.member.member_1[1], _e802, (_e802 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e794 == 1023u));
-                                            let _e809 = ((_e697.member[1] >> bitcast<u32>(_e756)) & 1023u);
-                                            let _e817 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e809)) - 8388608f) * _e767)) ^ _e127)));
-                                            let _e821 = select(select(_e673.member.member_1[2], _e817, (_e817 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e809 == 1023u));
-                                            let _e827 = ((_e697.member_1[0] >> bitcast<u32>(_e712)) & 1023u);
-                                            let _e835 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e827)) - 8388608f) * _e723)) ^ _e127)));
-                                            let _e839 = select(select(_e673.member.member_1[0], _e835, (_e835 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e827 == 1023u));
-                                            let _e842 = ((_e697.member_1[0] >> bitcast<u32>(_e734)) & 1023u);
-                                            let _e850 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e842)) - 8388608f) * _e745)) ^ _e127)));
-                                            let _e854 = select(select(_e673.member.member_1[1], _e850, (_e850 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e842 == 1023u));
-                                            let _e857 = ((_e697.member_1[0] >> bitcast<u32>(_e756)) & 1023u);
-                                            let _e865 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e857)) - 8388608f) * _e767)) ^ _e127)));
-                                            let _e869 = select(select(_e673.member.member_1[2], _e865, (_e865 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e857 == 1023u));
-                                            let _e872 = ((_e697.member_1[1] >> bitcast<u32>(_e712)) & 1023u);
-                                            let _e880 = (_e673.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e872)) - 8388608f) * _e723)) ^ _e127)));
-                                            let _e884 = select(select(_e673.member.member_1[0], _e880, (_e880 < _e673.member.member_1[0])), _e673.member.member_1[0], (_e872 == 1023u));
-                                            let _e887 = ((_e697.member_1[1] >> bitcast<u32>(_e734)) & 1023u);
-                                            let _e895 = (_e673.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e887)) - 8388608f) * _e745)) ^ _e127)));
-                                            let _e899 = select(select(_e673.member.member_1[1], _e895, (_e895 < _e673.member.member_1[1])), _e673.member.member_1[1], (_e887 == 1023u));
-                                            let _e902 = ((_e697.member_1[1] >> bitcast<u32>(_e756)) & 1023u);
-                                            let _e910 = (_e673.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e902)) - 8388608f) * _e767)) ^ _e127)));
-                                            let _e914 = select(select(_e673.member.member_1[2], _e910, (_e910 < _e673.member.member_1[2])), _e673.member.member_1[2], (_e902 == 1023u));
-                                            let _e919 = type_53(type_45(array<f32, 3>(_e732, _e754, _e776), array<f32, 3>(_e791, _e806, _e821)), _e697.member_2);
-                                            let _e924 = type_53(type_45(array<f32, 3>(_e839, _e854, _e869), array<f32, 3>(_e884, _e899, _e914)), _e697.member_3);
-                                            let _e931 = ((_e732 - _e346) * _e351);
-                                            let _e932 = ((_e839 - _e346) * _e351);
-                                            let _e933 = ((_e791 - _e347) * _e351);
-                                            let _e934 = ((_e884 - _e347) * _e351);
-                                            let _e939 = ((_e754 - _e412) * _e417);
-                                            let _e940 = ((_e854 - _e412) * _e417);
-                                            let _e941 = ((_e806 - _e413) * _e417);
-                                            let _e942 = ((_e899 - _e413) * _e417);
-                                            let _e947 = ((_e776 - _e478) * _e483);
-                                            let _e948 = ((_e869 - _e478) * _e483);
-                                            let _e949 = ((_e821 - _e479) * _e483);
-                                            let _e950 = ((_e914 - _e479) * _e483);
+                                            let _e691 = phi_2542_;
+                                            let _e706 = ((10u * _e261) & 31u);
+                                            let _e709 = ((_e691.member[0] >> bitcast<u32>(_e706)) & 1023u);
+                                            let _e717 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[0] - _e677.member.member[0]) * 0.0009775171f)) ^ _e127));
+                                            let _e722 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e709)) - 8388608f) * _e717)) ^ _e127)));
+                                            let _e726 = select(select(_e677.member.member_1[0], _e722, (_e722 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e709 == 1023u));
+                                            let _e728 = ((10u * _e260) & 31u);
+                                            let _e731 = ((_e691.member[0] >> bitcast<u32>(_e728)) & 1023u);
+                                            let _e739 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[1] - _e677.member.member[1]) * 0.0009775171f)) ^ _e127));
+                                            let _e744 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e731)) - 8388608f) * _e739)) ^ _e127)));
+                                            let _e748 = select(select(_e677.member.member_1[1], _e744, (_e744 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e731 == 1023u));
+                                            let _e750 = ((10u * _e262) & 31u);
+                                            let _e753 = ((_e691.member[0] >> bitcast<u32>(_e750)) & 1023u);
+                                            let _e761 = bitcast<f32>((bitcast<u32>(((_e677.member.member_1[2] - _e677.member.member[2]) * 0.0009775171f)) ^ _e127));
+                                            let _e766 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e753)) - 8388608f) * _e761)) ^ _e127)));
+                                            let _e770 = select(select(_e677.member.member_1[2], _e766, (_e766 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e753 == 1023u));
+                                            let _e773 = ((_e691.member[1] >> bitcast<u32>(_e706)) & 1023u);
+                                            let _e781 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e773)) - 8388608f) * _e717)) ^ _e127)));
+                                            let _e785 = select(select(_e677.member.member_1[0], _e781, (_e781 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e773 == 1023u));
+                                            let _e788 = ((_e691.member[1] >> bitcast<u32>(_e728)) & 1023u);
+                                            let _e796 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e788)) - 8388608f) * _e739)) ^ _e127)));
+                                            let _e800 = select(select(_e677.member.member_1[1], _e796, (_e796 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e788 == 1023u));
+                                            let _e803 = ((_e691.member[1] >> bitcast<u32>(_e750)) & 1023u);
+                                            let _e811 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e803)) - 8388608f) * _e761)) ^ _e127)));
+                                            let _e815 = select(select(_e677.member.member_1[2], _e811, (_e811 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e803 == 1023u));
+                                            let _e821 = ((_e691.member_1[0] >> bitcast<u32>(_e706)) & 1023u);
+                                            let _e829 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e821)) - 8388608f) * _e717)) ^ _e127)));
+                                            let _e833 = select(select(_e677.member.member_1[0], _e829, (_e829 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e821 == 1023u));
+                                            let _e836 = ((_e691.member_1[0] >> bitcast<u32>(_e728)) & 1023u);
+                                            let _e844 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e836)) - 8388608f) * _e739)) ^ _e127)));
+                                            let _e848 = select(select(_e677.member.member_1[1], _e844, (_e844 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e836 == 1023u));
+                                            let _e851 = ((_e691.member_1[0] >> bitcast<u32>(_e750)) & 1023u);
+                                            let _e859 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e851)) - 8388608f) * _e761)) ^ _e127)));
+                                            let _e863 = select(select(_e677.member.member_1[2], _e859, (_e859 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e851 == 1023u));
+                                            let _e866 = ((_e691.member_1[1] >> bitcast<u32>(_e706)) & 1023u);
+                                            let _e874 = (_e677.member.member[0] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e866)) - 8388608f) * _e717)) ^ _e127)));
+                                            let _e878 = select(select(_e677.member.member_1[0], _e874, (_e874 < _e677.member.member_1[0])), _e677.member.member_1[0], (_e866 == 1023u));
+                                            let _e881 = ((_e691.member_1[1] >> bitcast<u32>(_e728)) & 1023u);
+                                            let _e889 = (_e677.member.member[1] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e881)) - 8388608f) * _e739)) ^ _e127)));
+                                            let _e893 = select(select(_e677.member.member_1[1], _e889, (_e889 < _e677.member.member_1[1])), _e677.member.member_1[1], (_e881 == 1023u));
+                                            let _e896 = ((_e691.member_1[1] >> bitcast<u32>(_e750)) & 1023u);
+                                            let _e904 = (_e677.member.member[2] + bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | _e896)) - 8388608f) * _e761)) ^ _e127)));
+                                            let _e908 = select(select(_e677.member.member_1[2], _e904, (_e904 < _e677.member.member_1[2])), _e677.member.member_1[2], (_e896 == 1023u));
+                                            let _e913 = type_53(type_45(array<f32, 3>(_e726, _e748, _e770), array<f32, 3>(_e785, _e800, _e815)), _e691.member_2);
+                                            let _e918 = type_53(type_45(array<f32, 3>(_e833, _e848, _e863), array<f32, 3>(_e878, _e893, _e908)), _e691.member_3);
+                                            let _e931 = ((_e726 - _e346) * _e351);
+                                            let _e932 = ((_e833 - _e346) * _e351);
+                                            let _e933 = ((_e785 - _e347) * _e351);
+                                            let _e934 = ((_e878 - _e347) * _e351);
+                                            let _e939 = ((_e748 - _e412) * _e417);
+                                            let _e940 = ((_e848 - _e412) * _e417);
+                                            let _e941 = ((_e800 - _e413) * _e417);
+                                            let _e942 = ((_e893 - _e413) * _e417);
+                                            let _e947 = ((_e770 - _e478) * _e483);
+                                            let _e948 = ((_e863 - _e478) * _e483);
+                                            let _e949 = ((_e815 - _e479) * _e483);
+                                            let _e950 = ((_e908 - _e479) * _e483);
                                             let _e952 = select(_e949, _e947, (_e947 < _e949));
                                             let _e954 = select(_e950, _e948, (_e948 < _e950));
                                             let _e956 = select(_e949, _e947, (_e947 > _e949));
@@ -1226,188 +1226,188 @@ fn function_() {
                                             if _e1009 {
                                                 if _e1010 {
                                                     if _e1011 {
-                                                        phi_3303_ = _e924;
+                                                        phi_3431_ = _e918;
                                                     } else {
-                                                        phi_3303_ = _e919;
+                                                        phi_3431_ = _e913;
                                                     }
-                                                    let _e1013 = phi_3303_;
-                                                    let _e1021 = (_e677 % 128u);
+                                                    let _e1013 = phi_3431_;
+                                                    let _e1021 = (_e675 % 128u);
                                                     let _e1022 = (_e1021 < 128u);
                                                     if _e1022 {
                                                     } else {
-                                                        phi_3902_ = true;
+                                                        phi_4034_ = true;
                                                         break;
                                                     }
                                                     local_6[_e1021] = _e1013.member_1;
                                                     if _e1022 {
                                                     } else {
-                                                        phi_3902_ = true;
+                                                        phi_4034_ = true;
                                                         break;
                                                     }
                                                     local_5[_e1021] = _e1013.member.member[0];
                                                     if _e1022 {
                                                     } else {
-                                                        phi_3902_ = true;
+                                                        phi_4034_ = true;
                                                         break;
                                                     }
                                                     local_4[_e1021] = _e1013.member.member[1];
                                                     if _e1022 {
                                                     } else {
-                                                        phi_3902_ = true;
+                                                        phi_4034_ = true;
                                                         break;
                                                     }
                                                     local_3[_e1021] = _e1013.member.member[2];
                                                     if _e1022 {
                                                     } else {
-                                                        phi_3902_ = true;
+                                                        phi_4034_ = true;
                                                         break;
                                                     }
                                                     local_2[_e1021] = _e1013.member.member_1[0];
                                                     if _e1022 {
                                                     } else {
-                                                        phi_3902_ = true;
+                                                        phi_4034_ = true;
                                                         break;
                                                     }
                                                     local_1[_e1021] = _e1013.member.member_1[1];
                                                     if _e1022 {
                                                     } else {
-                                                        phi_3902_ = true;
+                                                        phi_4034_ = true;
                                                         break;
                                                     }
                                                     local[_e1021] = _e1013.member.member_1[2];
                                                     if _e1022 {
                                                     } else {
-                                                        phi_3902_ = true;
+                                                        phi_4034_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1021] = select(_e1004, _e1002, (_e1002 > _e1004));
+                                                    local_7[_e1021] = select(_e1004, _e1002, !(_e1011));
                                                     if _e1011 {
-                                                        phi_3380_ = _e919;
+                                                        phi_3508_ = _e913;
                                                     } else {
-                                                        phi_3380_ = _e924;
+                                                        phi_3508_ = _e918;
                                                     }
-                                                    let _e1039 = phi_3380_;
-                                                    phi_3381_ = _e1039;
-                                                    phi_3382_ = (_e677 + 1u);
+                                                    let _e1039 = phi_3508_;
+                                                    phi_3509_ = (_e675 + 1u);
+                                                    phi_3510_ = _e1039;
                                                 } else {
-                                                    phi_3381_ = type_53();
-                                                    phi_3382_ = u32();
+                                                    phi_3509_ = u32();
+                                                    phi_3510_ = type_53();
                                                 }
-                                                let _e1041 = phi_3381_;
-                                                let _e1043 = phi_3382_;
-                                                phi_3384_ = _e1041;
-                                                phi_3385_ = _e1043;
-                                                phi_3386_ = select(true, false, _e1010);
+                                                let _e1041 = phi_3509_;
+                                                let _e1043 = phi_3510_;
+                                                phi_3512_ = _e1041;
+                                                phi_3513_ = _e1043;
+                                                phi_3514_ = select(true, false, _e1010);
                                             } else {
-                                                phi_3384_ = type_53();
-                                                phi_3385_ = u32();
-                                                phi_3386_ = true;
+                                                phi_3512_ = u32();
+                                                phi_3513_ = type_53();
+                                                phi_3514_ = true;
                                             }
-                                            let _e1046 = phi_3384_;
-                                            let _e1048 = phi_3385_;
-                                            let _e1050 = phi_3386_;
+                                            let _e1046 = phi_3512_;
+                                            let _e1048 = phi_3513_;
+                                            let _e1050 = phi_3514_;
                                             if _e1050 {
                                                 if _e1009 {
-                                                    phi_3393_ = _e919;
+                                                    phi_3521_ = _e913;
                                                 } else {
-                                                    phi_3393_ = _e924;
+                                                    phi_3521_ = _e918;
                                                 }
-                                                let _e1052 = phi_3393_;
-                                                phi_3398_ = _e1052;
-                                                phi_3399_ = select(_e1010, true, _e1009);
+                                                let _e1052 = phi_3521_;
+                                                phi_3526_ = select(_e1010, true, _e1009);
+                                                phi_3528_ = _e1052;
                                             } else {
-                                                phi_3398_ = _e1046;
-                                                phi_3399_ = _e675;
+                                                phi_3526_ = _e673;
+                                                phi_3528_ = _e1048;
                                             }
-                                            let _e1055 = phi_3398_;
-                                            let _e1057 = phi_3399_;
-                                            phi_3906_ = _e631;
-                                            phi_3401_ = type_36(_e633.member, (_e633.member_1 + 1u), _e633.member_2);
-                                            phi_3402_ = _e1055;
-                                            phi_3403_ = _e1057;
-                                            phi_3404_ = select(_e1048, _e677, _e1050);
+                                            let _e1055 = phi_3526_;
+                                            let _e1057 = phi_3528_;
+                                            phi_4038_ = _e631;
+                                            phi_3533_ = type_36(_e633.member, (_e633.member_1 + 1u), _e633.member_2);
+                                            phi_3534_ = _e1055;
+                                            phi_3535_ = select(_e1046, _e675, _e1050);
+                                            phi_3536_ = _e1057;
                                         }
-                                        let _e1754 = phi_3906_;
-                                        let _e1756 = phi_3401_;
-                                        let _e1758 = phi_3402_;
-                                        let _e1760 = phi_3403_;
-                                        let _e1762 = phi_3404_;
-                                        phi_3905_ = _e1754;
-                                        phi_3405_ = _e1756;
-                                        phi_3406_ = _e1758;
-                                        phi_3407_ = (_e637 - 1u);
-                                        phi_3408_ = _e1760;
-                                        phi_3409_ = _e1762;
+                                        let _e1754 = phi_4038_;
+                                        let _e1756 = phi_3533_;
+                                        let _e1758 = phi_3534_;
+                                        let _e1760 = phi_3535_;
+                                        let _e1762 = phi_3536_;
+                                        phi_4037_ = _e1754;
+                                        phi_3537_ = _e1756;
+                                        phi_3538_ = _e1758;
+                                        phi_3539_ = (_e637 - 1u);
+                                        phi_3540_ = _e1760;
+                                        phi_3541_ = _e1762;
                                     } else {
-                                        phi_3905_ = _e631;
-                                        phi_3405_ = _e633;
-                                        phi_3406_ = _e673;
-                                        phi_3407_ = _e637;
-                                        phi_3408_ = _e675;
-                                        phi_3409_ = _e677;
+                                        phi_4037_ = _e631;
+                                        phi_3537_ = _e633;
+                                        phi_3538_ = _e673;
+                                        phi_3539_ = _e637;
+                                        phi_3540_ = _e675;
+                                        phi_3541_ = _e677;
                                     }
-                                    let _e1764 = phi_3905_;
-                                    let _e1766 = phi_3405_;
-                                    let _e1768 = phi_3406_;
-                                    let _e1770 = phi_3407_;
-                                    let _e1772 = phi_3408_;
-                                    let _e1774 = phi_3409_;
-                                    phi_3904_ = _e1764;
-                                    phi_3410_ = _e1766;
-                                    phi_3411_ = _e1768;
-                                    phi_3412_ = _e1770;
-                                    phi_3413_ = _e1772;
-                                    phi_3414_ = _e1774;
+                                    let _e1764 = phi_4037_;
+                                    let _e1766 = phi_3537_;
+                                    let _e1768 = phi_3538_;
+                                    let _e1770 = phi_3539_;
+                                    let _e1772 = phi_3540_;
+                                    let _e1774 = phi_3541_;
+                                    phi_4036_ = _e1764;
+                                    phi_3542_ = _e1766;
+                                    phi_3543_ = _e1768;
+                                    phi_3544_ = _e1770;
+                                    phi_3545_ = _e1772;
+                                    phi_3546_ = _e1774;
                                 } else {
-                                    phi_3904_ = _e631;
-                                    phi_3410_ = type_36();
-                                    phi_3411_ = type_53();
-                                    phi_3412_ = u32();
-                                    phi_3413_ = bool();
-                                    phi_3414_ = u32();
+                                    phi_4036_ = _e631;
+                                    phi_3542_ = type_36();
+                                    phi_3543_ = bool();
+                                    phi_3544_ = u32();
+                                    phi_3545_ = u32();
+                                    phi_3546_ = type_53();
                                 }
-                                let _e1776 = phi_3904_;
-                                let _e1778 = phi_3410_;
-                                let _e1780 = phi_3411_;
-                                let _e1782 = phi_3412_;
-                                let _e1784 = phi_3413_;
-                                let _e1786 = phi_3414_;
-                                phi_3903_ = _e1776;
-                                phi_1101_ = _e1778;
-                                phi_1104_ = _e1780;
-                                phi_1106_ = _e1782;
-                                phi_1108_ = _e1784;
-                                phi_1110_ = _e1786;
-                                phi_3415_ = _e645;
+                                let _e1776 = phi_4036_;
+                                let _e1778 = phi_3542_;
+                                let _e1780 = phi_3543_;
+                                let _e1782 = phi_3544_;
+                                let _e1784 = phi_3545_;
+                                let _e1786 = phi_3546_;
+                                phi_4035_ = _e1776;
+                                phi_1124_ = _e1778;
+                                phi_1127_ = _e1780;
+                                phi_1129_ = _e1782;
+                                phi_1131_ = _e1784;
+                                phi_1133_ = _e1786;
+                                phi_3547_ = _e645;
                             } else {
-                                phi_3903_ = _e631;
-                                phi_1101_ = type_36();
-                                phi_1104_ = type_53();
-                                phi_1106_ = u32();
-                                phi_1108_ = bool();
-                                phi_1110_ = u32();
-                                phi_3415_ = false;
+                                phi_4035_ = _e631;
+                                phi_1124_ = type_36();
+                                phi_1127_ = bool();
+                                phi_1129_ = u32();
+                                phi_1131_ = u32();
+                                phi_1133_ = type_53();
+                                phi_3547_ = false;
                             }
-                            let _e1788 = phi_3903_;
-                            let _e1790 = phi_1101_;
-                            let _e1792 = phi_1104_;
-                            let _e1794 = phi_1106_;
-                            let _e1796 = phi_1108_;
-                            let _e1798 = phi_1110_;
-                            let _e1800 = phi_3415_;
+                            let _e1788 = phi_4035_;
+                            let _e1790 = phi_1124_;
+                            let _e1792 = phi_1127_;
+                            let _e1794 = phi_1129_;
+                            let _e1796 = phi_1131_;
+                            let _e1798 = phi_1133_;
+                            let _e1800 = phi_3547_;
                             continue;
                             continuing {
-                                phi_3730_ = _e1788;
-                                phi_1100_ = _e1790;
-                                phi_1103_ = _e1792;
-                                phi_1105_ = _e1794;
-                                phi_1107_ = _e1796;
-                                phi_1109_ = _e1798;
-                                phi_3902_ = _e1788;
+                                phi_3862_ = _e1788;
+                                phi_1123_ = _e1790;
+                                phi_1126_ = _e1792;
+                                phi_1128_ = _e1794;
+                                phi_1130_ = _e1796;
+                                phi_1132_ = _e1798;
+                                phi_4034_ = _e1788;
                                 break if !(_e1800);
                             }
                         }
-                        let _e1803 = phi_3902_;
+                        let _e1803 = phi_4034_;
                         if _e1803 {
                             break;
                         }
@@ -1417,110 +1417,110 @@ fn function_() {
                             let _e1815 = (bitcast<i32>((_e1811 >> bitcast<u32>(23i))) & 255i);
                             let _e1816 = (_e1815 + _e263);
                             if (_e1815 == 255i) {
-                                phi_3474_ = _e1805.member.member.member;
+                                phi_3606_ = _e1805.member.member.member;
                             } else {
                                 if (_e1815 > 0i) {
                                     if (_e1816 > 0i) {
                                         let _e1820 = (_e1816 < 255i);
                                         if _e1820 {
-                                            phi_3453_ = bitcast<f32>((_e1811 + bitcast<u32>((_e263 << bitcast<u32>(23i)))));
+                                            phi_3585_ = bitcast<f32>((_e1811 + bitcast<u32>((_e263 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3453_ = f32();
+                                            phi_3585_ = f32();
                                         }
-                                        let _e1827 = phi_3453_;
-                                        phi_3455_ = _e1827;
-                                        phi_3456_ = select(true, false, _e1820);
+                                        let _e1827 = phi_3585_;
+                                        phi_3587_ = _e1827;
+                                        phi_3588_ = select(true, false, _e1820);
                                     } else {
-                                        phi_3455_ = f32();
-                                        phi_3456_ = true;
+                                        phi_3587_ = f32();
+                                        phi_3588_ = true;
                                     }
-                                    let _e1830 = phi_3455_;
-                                    let _e1832 = phi_3456_;
-                                    phi_3457_ = _e1830;
-                                    phi_3458_ = _e1832;
+                                    let _e1830 = phi_3587_;
+                                    let _e1832 = phi_3588_;
+                                    phi_3589_ = _e1830;
+                                    phi_3590_ = _e1832;
                                 } else {
-                                    phi_3457_ = f32();
-                                    phi_3458_ = true;
+                                    phi_3589_ = f32();
+                                    phi_3590_ = true;
                                 }
-                                let _e1834 = phi_3457_;
-                                let _e1836 = phi_3458_;
+                                let _e1834 = phi_3589_;
+                                let _e1836 = phi_3590_;
                                 if _e1836 {
                                     let _e1837 = (_e1811 & 2147483648u);
                                     let _e1844 = ((_e1811 & 8388607u) | (select(0u, 1u, ((_e1811 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                     let _e1848 = (_e1844 == 0u);
                                     if _e1848 {
-                                        phi_3694_ = bitcast<f32>(_e1837);
+                                        phi_3826_ = bitcast<f32>(_e1837);
                                     } else {
                                         let _e1853 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1844)), 32u, _e1848) - 8u);
                                         let _e1856 = (_e1844 << bitcast<u32>((_e1853 & 31u)));
                                         let _e1858 = ((_e1816 + select(0i, 1i, (_e1815 == 0i))) - bitcast<i32>(_e1853));
                                         if (_e1858 >= 255i) {
-                                            phi_3684_ = bitcast<f32>((_e1837 | 2139095040u));
-                                            phi_3685_ = f32();
-                                            phi_3686_ = true;
+                                            phi_3816_ = bitcast<f32>((_e1837 | 2139095040u));
+                                            phi_3817_ = f32();
+                                            phi_3818_ = true;
                                         } else {
                                             let _e1860 = (_e1858 > 0i);
                                             if _e1860 {
-                                                phi_3678_ = bitcast<f32>(((_e1837 | (bitcast<u32>(_e1858) << bitcast<u32>(23i))) | (_e1856 & 8388607u)));
-                                                phi_3679_ = f32();
+                                                phi_3810_ = bitcast<f32>(((_e1837 | (bitcast<u32>(_e1858) << bitcast<u32>(23i))) | (_e1856 & 8388607u)));
+                                                phi_3811_ = f32();
                                             } else {
                                                 if (_e1858 < -24i) {
-                                                    phi_3644_ = 26u;
+                                                    phi_3776_ = 26u;
                                                 } else {
-                                                    phi_3644_ = bitcast<u32>((1i - _e1858));
+                                                    phi_3776_ = bitcast<u32>((1i - _e1858));
                                                 }
-                                                let _e1865 = phi_3644_;
+                                                let _e1865 = phi_3776_;
                                                 let _e1866 = (_e1865 & 31u);
                                                 let _e1868 = (_e1856 >> bitcast<u32>(_e1866));
                                                 let _e1872 = (_e1856 & ((1u << bitcast<u32>(_e1866)) - 1u));
                                                 let _e1876 = (1u << bitcast<u32>(((_e1865 - 1u) & 31u)));
                                                 if (_e1872 > _e1876) {
-                                                    phi_3665_ = true;
+                                                    phi_3797_ = true;
                                                 } else {
                                                     if (_e1872 == _e1876) {
-                                                        phi_3662_ = ((_e1868 & 1u) == 1u);
+                                                        phi_3794_ = ((_e1868 & 1u) == 1u);
                                                     } else {
-                                                        phi_3662_ = false;
+                                                        phi_3794_ = false;
                                                     }
-                                                    let _e1882 = phi_3662_;
-                                                    phi_3665_ = _e1882;
+                                                    let _e1882 = phi_3794_;
+                                                    phi_3797_ = _e1882;
                                                 }
-                                                let _e1884 = phi_3665_;
-                                                phi_3678_ = f32();
-                                                phi_3679_ = bitcast<f32>((_e1837 | (_e1868 + select(0u, 1u, _e1884))));
+                                                let _e1884 = phi_3797_;
+                                                phi_3810_ = f32();
+                                                phi_3811_ = bitcast<f32>((_e1837 | (_e1868 + select(0u, 1u, _e1884))));
                                             }
-                                            let _e1897 = phi_3678_;
-                                            let _e1899 = phi_3679_;
-                                            phi_3684_ = _e1897;
-                                            phi_3685_ = _e1899;
-                                            phi_3686_ = _e1860;
+                                            let _e1897 = phi_3810_;
+                                            let _e1899 = phi_3811_;
+                                            phi_3816_ = _e1897;
+                                            phi_3817_ = _e1899;
+                                            phi_3818_ = _e1860;
                                         }
-                                        let _e1903 = phi_3684_;
-                                        let _e1905 = phi_3685_;
-                                        let _e1907 = phi_3686_;
-                                        phi_3694_ = select(_e1905, _e1903, _e1907);
+                                        let _e1903 = phi_3816_;
+                                        let _e1905 = phi_3817_;
+                                        let _e1907 = phi_3818_;
+                                        phi_3826_ = select(_e1905, _e1903, _e1907);
                                     }
-                                    let _e1911 = phi_3694_;
-                                    phi_3473_ = _e1911;
+                                    let _e1911 = phi_3826_;
+                                    phi_3605_ = _e1911;
                                 } else {
-                                    phi_3473_ = _e1834;
+                                    phi_3605_ = _e1834;
                                 }
-                                let _e1913 = phi_3473_;
-                                phi_3474_ = _e1913;
+                                let _e1913 = phi_3605_;
+                                phi_3606_ = _e1913;
                             }
-                            let _e1915 = phi_3474_;
+                            let _e1915 = phi_3606_;
                             let _e1916 = bitcast<u32>(_e1915);
                             if ((_e1916 & 2147483647u) >= 2139095040u) {
-                                phi_3486_ = bitcast<f32>(((_e1916 & 2147483648u) | 2139095039u));
+                                phi_3618_ = bitcast<f32>(((_e1916 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3486_ = _e1915;
+                                phi_3618_ = _e1915;
                             }
-                            let _e1923 = phi_3486_;
-                            phi_3491_ = type_19(_e1923, _e1805.member.member.member_1, _e1805.member.member.member_2, _e1805.member.member.member_3);
+                            let _e1923 = phi_3618_;
+                            phi_3623_ = type_19(_e1923, _e1805.member.member.member_1, _e1805.member.member.member_2, _e1805.member.member.member_3);
                         } else {
-                            phi_3491_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3623_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1928 = phi_3491_;
+                        let _e1928 = phi_3623_;
                         if _e139 {
                         } else {
                             break;

@@ -55,13 +55,13 @@ struct type_38 {
     member_1: vec4<f32>,
 }
 
-struct type_42 {
+struct type_43 {
     member: type_26,
     member_1: f32,
 }
 
 struct type_46 {
-    member: type_42,
+    member: type_43,
     member_1: u32,
     member_2: u32,
 }
@@ -112,160 +112,160 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_478_: i32;
-    var phi_479_: i32;
-    var phi_489_: bool;
-    var phi_499_: u32;
-    var phi_500_: u32;
-    var phi_502_: bool;
+    var phi_485_: i32;
+    var phi_486_: i32;
+    var phi_496_: bool;
+    var phi_506_: u32;
     var phi_507_: u32;
-    var phi_539_: i32;
-    var phi_557_: f32;
-    var phi_563_: f32;
-    var phi_603_: f32;
-    var phi_609_: f32;
-    var phi_661_: f32;
-    var phi_672_: f32;
+    var phi_509_: bool;
+    var phi_514_: u32;
+    var phi_547_: i32;
+    var phi_565_: f32;
+    var phi_571_: f32;
+    var phi_611_: f32;
+    var phi_617_: f32;
+    var phi_669_: f32;
     var phi_681_: f32;
-    var phi_687_: f32;
-    var phi_727_: f32;
-    var phi_733_: f32;
-    var phi_785_: f32;
-    var phi_796_: f32;
-    var phi_805_: f32;
-    var phi_811_: f32;
-    var phi_851_: f32;
-    var phi_857_: f32;
-    var phi_909_: f32;
-    var phi_920_: f32;
-    var phi_975_: i32;
-    var phi_997_: u32;
-    var phi_998_: u32;
-    var phi_1035_: i32;
-    var phi_1057_: u32;
-    var phi_1058_: u32;
-    var phi_1066_: f32;
-    var phi_1067_: f32;
-    var phi_4002_: bool;
-    var phi_1165_: type_46;
-    var phi_1168_: type_53;
-    var phi_1170_: u32;
-    var phi_1172_: bool;
-    var phi_1174_: u32;
-    var phi_1185_: bool;
-    var phi_1271_: type_53;
-    var phi_1272_: bool;
-    var phi_1273_: u32;
-    var phi_3030_: u32;
-    var phi_3031_: u32;
-    var phi_3041_: u32;
-    var phi_3043_: u32;
-    var phi_3044_: bool;
-    var phi_3064_: u32;
-    var phi_3065_: u32;
-    var phi_3069_: type_54;
-    var phi_3413_: type_53;
-    var phi_3490_: type_53;
-    var phi_3491_: type_53;
-    var phi_3492_: u32;
-    var phi_3494_: type_53;
-    var phi_3495_: u32;
-    var phi_3496_: bool;
-    var phi_3505_: type_53;
-    var phi_3510_: type_53;
-    var phi_3511_: bool;
-    var phi_1291_: type_46;
-    var phi_1294_: type_7;
-    var phi_1295_: type_7;
-    var phi_1317_: type_7;
-    var phi_1341_: u32;
-    var phi_1430_: array<array<f32, 3>, 3>;
-    var phi_1547_: bool;
-    var phi_1576_: bool;
-    var phi_1977_: f32;
-    var phi_1978_: f32;
-    var phi_1979_: f32;
-    var phi_1980_: f32;
-    var phi_1981_: vec3<f32>;
-    var phi_1982_: vec3<f32>;
-    var phi_1983_: vec3<f32>;
-    var phi_1984_: vec3<f32>;
-    var phi_2015_: bool;
-    var phi_2024_: vec3<f32>;
-    var phi_2189_: f32;
-    var phi_2191_: f32;
-    var phi_2192_: bool;
-    var phi_2212_: f32;
-    var phi_2213_: f32;
-    var phi_2236_: type_26;
-    var phi_2238_: type_26;
-    var phi_2239_: bool;
-    var phi_2243_: type_26;
-    var phi_2244_: type_26;
-    var phi_2245_: type_26;
-    var phi_2246_: bool;
-    var phi_2250_: type_26;
-    var phi_2251_: bool;
-    var phi_2252_: type_26;
-    var phi_2253_: bool;
-    var phi_2254_: bool;
-    var phi_2255_: type_26;
-    var phi_2256_: bool;
-    var phi_2257_: bool;
-    var phi_2265_: type_26;
-    var phi_2266_: bool;
-    var phi_2270_: type_26;
-    var phi_2295_: bool;
-    var phi_2296_: bool;
-    var phi_2303_: type_46;
-    var phi_2304_: type_46;
-    var phi_2305_: type_46;
-    var phi_1292_: type_46;
-    var phi_3996_: bool;
-    var phi_4160_: bool;
-    var phi_3513_: type_46;
-    var phi_3514_: type_53;
-    var phi_3515_: bool;
-    var phi_3516_: u32;
-    var phi_4159_: bool;
-    var phi_3517_: type_46;
-    var phi_3518_: type_53;
-    var phi_3519_: u32;
-    var phi_3520_: bool;
-    var phi_3521_: u32;
-    var phi_4158_: bool;
-    var phi_3522_: type_46;
-    var phi_3523_: type_53;
-    var phi_3524_: u32;
-    var phi_3525_: bool;
-    var phi_3526_: u32;
-    var phi_4157_: bool;
-    var phi_1166_: type_46;
-    var phi_1169_: type_53;
-    var phi_1171_: u32;
-    var phi_1173_: bool;
-    var phi_1175_: u32;
-    var phi_3527_: bool;
-    var phi_4156_: bool;
+    var phi_690_: f32;
+    var phi_696_: f32;
+    var phi_736_: f32;
+    var phi_742_: f32;
+    var phi_794_: f32;
+    var phi_806_: f32;
+    var phi_815_: f32;
+    var phi_821_: f32;
+    var phi_861_: f32;
+    var phi_867_: f32;
+    var phi_919_: f32;
+    var phi_931_: f32;
+    var phi_986_: i32;
+    var phi_1008_: u32;
+    var phi_1009_: u32;
+    var phi_1046_: i32;
+    var phi_1068_: u32;
+    var phi_1069_: u32;
+    var phi_1077_: f32;
+    var phi_1078_: f32;
+    var phi_4114_: bool;
+    var phi_1183_: type_46;
+    var phi_1186_: bool;
+    var phi_1188_: u32;
+    var phi_1190_: u32;
+    var phi_1192_: type_53;
+    var phi_1203_: bool;
+    var phi_1289_: bool;
+    var phi_1290_: u32;
+    var phi_1291_: type_53;
+    var phi_3117_: u32;
+    var phi_3118_: u32;
+    var phi_3128_: u32;
+    var phi_3130_: u32;
+    var phi_3131_: bool;
+    var phi_3151_: u32;
+    var phi_3152_: u32;
+    var phi_3156_: type_54;
+    var phi_3521_: type_53;
+    var phi_3598_: type_53;
+    var phi_3599_: u32;
+    var phi_3600_: type_53;
+    var phi_3602_: u32;
+    var phi_3603_: type_53;
+    var phi_3604_: bool;
+    var phi_3613_: type_53;
+    var phi_3618_: bool;
+    var phi_3620_: type_53;
+    var phi_1309_: type_46;
+    var phi_1312_: type_7;
+    var phi_1313_: type_7;
+    var phi_1335_: type_7;
+    var phi_1359_: u32;
+    var phi_1451_: array<array<f32, 3>, 3>;
+    var phi_1603_: bool;
+    var phi_1632_: bool;
+    var phi_2051_: f32;
+    var phi_2052_: f32;
+    var phi_2053_: f32;
+    var phi_2054_: f32;
+    var phi_2055_: vec3<f32>;
+    var phi_2056_: vec3<f32>;
+    var phi_2057_: vec3<f32>;
+    var phi_2058_: vec3<f32>;
+    var phi_2095_: bool;
+    var phi_2104_: vec3<f32>;
+    var phi_2269_: f32;
+    var phi_2271_: f32;
+    var phi_2272_: bool;
+    var phi_2292_: f32;
+    var phi_2293_: f32;
+    var phi_2316_: type_26;
+    var phi_2318_: type_26;
+    var phi_2319_: bool;
+    var phi_2323_: type_26;
+    var phi_2324_: type_26;
+    var phi_2325_: type_26;
+    var phi_2326_: bool;
+    var phi_2330_: type_26;
+    var phi_2331_: bool;
+    var phi_2332_: type_26;
+    var phi_2333_: bool;
+    var phi_2334_: bool;
+    var phi_2335_: type_26;
+    var phi_2336_: bool;
+    var phi_2337_: bool;
+    var phi_2345_: type_26;
+    var phi_2346_: bool;
+    var phi_2350_: type_26;
+    var phi_2375_: bool;
+    var phi_2376_: bool;
+    var phi_2383_: type_46;
+    var phi_2384_: type_46;
+    var phi_2385_: type_46;
+    var phi_1310_: type_46;
+    var phi_4108_: bool;
+    var phi_4272_: bool;
+    var phi_3625_: type_46;
+    var phi_3626_: bool;
+    var phi_3627_: u32;
+    var phi_3628_: type_53;
+    var phi_4271_: bool;
+    var phi_3629_: type_46;
+    var phi_3630_: bool;
+    var phi_3631_: u32;
+    var phi_3632_: u32;
+    var phi_3633_: type_53;
+    var phi_4270_: bool;
+    var phi_3634_: type_46;
+    var phi_3635_: bool;
+    var phi_3636_: u32;
+    var phi_3637_: u32;
+    var phi_3638_: type_53;
+    var phi_4269_: bool;
+    var phi_1184_: type_46;
+    var phi_1187_: bool;
+    var phi_1189_: u32;
+    var phi_1191_: u32;
+    var phi_1193_: type_53;
+    var phi_3639_: bool;
+    var phi_4268_: bool;
     var local_10: type_46;
-    var phi_3565_: f32;
-    var phi_3567_: f32;
-    var phi_3568_: bool;
-    var phi_3569_: f32;
-    var phi_3570_: bool;
-    var phi_3904_: u32;
-    var phi_3922_: bool;
-    var phi_3925_: bool;
-    var phi_3938_: f32;
-    var phi_3939_: f32;
-    var phi_3944_: f32;
-    var phi_3945_: f32;
-    var phi_3946_: bool;
-    var phi_3954_: f32;
-    var phi_3585_: f32;
-    var phi_3586_: f32;
-    var phi_3598_: f32;
-    var phi_3603_: type_26;
+    var phi_3677_: f32;
+    var phi_3679_: f32;
+    var phi_3680_: bool;
+    var phi_3681_: f32;
+    var phi_3682_: bool;
+    var phi_4016_: u32;
+    var phi_4034_: bool;
+    var phi_4037_: bool;
+    var phi_4050_: f32;
+    var phi_4051_: f32;
+    var phi_4056_: f32;
+    var phi_4057_: f32;
+    var phi_4058_: bool;
+    var phi_4066_: f32;
+    var phi_3697_: f32;
+    var phi_3698_: f32;
+    var phi_3710_: f32;
+    var phi_3715_: type_26;
     var local_11: type_46;
     var local_12: type_46;
 
@@ -323,203 +323,203 @@ fn function_() {
                         if _e238 {
                             let _e241 = (bitcast<u32>(bitcast<f32>(_e211)) & 2147483647u);
                             if (_e241 >= 8388608u) {
-                                phi_478_ = (bitcast<i32>((_e241 >> bitcast<u32>(23i))) - 127i);
+                                phi_485_ = (bitcast<i32>((_e241 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_478_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e241)), 32u, (_e241 == 0u))));
+                                phi_485_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e241)), 32u, (_e241 == 0u))));
                             }
-                            let _e255 = phi_478_;
-                            phi_479_ = _e255;
+                            let _e255 = phi_485_;
+                            phi_486_ = _e255;
                         } else {
-                            phi_479_ = 0i;
+                            phi_486_ = 0i;
                         }
-                        let _e257 = phi_479_;
+                        let _e257 = phi_486_;
                         let _e258 = (_e167 == _e211);
                         if _e258 {
-                            phi_489_ = true;
+                            phi_496_ = true;
                         } else {
-                            phi_489_ = (_e175 == _e211);
+                            phi_496_ = (_e175 == _e211);
                         }
-                        let _e261 = phi_489_;
+                        let _e261 = phi_496_;
                         let _e262 = select(1u, 0u, _e258);
                         if _e261 {
                             let _e263 = (_e262 + 1u);
-                            phi_499_ = _e263;
-                            phi_500_ = _e263;
-                            phi_502_ = select(true, false, (_e263 == 2u));
+                            phi_506_ = _e263;
+                            phi_507_ = _e263;
+                            phi_509_ = select(true, false, (_e263 == 2u));
                         } else {
-                            phi_499_ = u32();
-                            phi_500_ = 0u;
-                            phi_502_ = true;
-                        }
-                        let _e267 = phi_499_;
-                        let _e269 = phi_500_;
-                        let _e271 = phi_502_;
-                        if _e271 {
-                            phi_507_ = (_e269 + 1u);
-                        } else {
+                            phi_506_ = u32();
                             phi_507_ = 0u;
+                            phi_509_ = true;
                         }
-                        let _e275 = phi_507_;
+                        let _e267 = phi_506_;
+                        let _e269 = phi_507_;
+                        let _e271 = phi_509_;
+                        if _e271 {
+                            phi_514_ = (_e269 + 1u);
+                        } else {
+                            phi_514_ = 0u;
+                        }
+                        let _e275 = phi_514_;
                         let _e276 = select(_e267, _e269, _e271);
                         let _e277 = select(_e262, select(2u, _e262, _e261), _e271);
                         let _e278 = -(_e257);
                         if (_e278 < -126i) {
-                            phi_539_ = -126i;
+                            phi_547_ = -126i;
                         } else {
-                            phi_539_ = select(_e278, 127i, (_e278 > 127i));
+                            phi_547_ = select(_e278, 127i, (_e278 > 127i));
                         }
-                        let _e283 = phi_539_;
+                        let _e283 = phi_547_;
                         let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
                         let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
                         let _e299 = global_5.member[_e138].member.member;
                         let _e300 = (_e276 == 0u);
                         if _e300 {
-                            phi_557_ = _e299[0];
+                            phi_565_ = _e299[0];
                         } else {
-                            phi_557_ = _e299[1];
+                            phi_565_ = _e299[1];
                         }
-                        let _e304 = phi_557_;
+                        let _e304 = phi_565_;
                         let _e305 = (_e276 == 2u);
                         if _e305 {
-                            phi_563_ = _e299[2];
+                            phi_571_ = _e299[2];
                         } else {
-                            phi_563_ = _e304;
+                            phi_571_ = _e304;
                         }
-                        let _e308 = phi_563_;
+                        let _e308 = phi_571_;
                         let _e309 = bitcast<u32>(_e308);
                         let _e311 = ((_e309 & 2139095040u) != 0u);
                         let _e323 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e308, _e311) * select(0.00000011920929f, 1f, _e311));
                         let _e324 = global_5.member[_e138].member.member_2;
                         if _e300 {
-                            phi_603_ = _e324[0];
+                            phi_611_ = _e324[0];
                         } else {
-                            phi_603_ = _e324[1];
+                            phi_611_ = _e324[1];
                         }
-                        let _e328 = phi_603_;
+                        let _e328 = phi_611_;
                         if _e305 {
-                            phi_609_ = _e324[2];
+                            phi_617_ = _e324[2];
                         } else {
-                            phi_609_ = _e328;
+                            phi_617_ = _e328;
                         }
-                        let _e331 = phi_609_;
+                        let _e331 = phi_617_;
                         let _e332 = bitcast<u32>(_e331);
                         let _e334 = ((_e332 & 2139095040u) != 0u);
                         let _e348 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e331, _e334) * _e288) * select(0.00000011920929f, 1f, _e334)) * _e294);
                         let _e352 = (bitcast<f32>((bitcast<u32>(_e348) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e352 {
                             let _e356 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) * 0.00000011920929f);
-                            phi_661_ = select(0.00000000000011368684f, _e356, (_e356 > 0.00000000000011368684f));
+                            phi_669_ = select(0.00000000000011368684f, _e356, (_e356 > 0.00000000000011368684f));
                         } else {
-                            phi_661_ = 0f;
+                            phi_669_ = 0f;
                         }
-                        let _e360 = phi_661_;
+                        let _e360 = phi_669_;
                         let _e361 = (_e323 + _e360);
                         let _e362 = (_e323 - _e360);
                         let _e363 = select(_e348, 0f, _e352);
                         if _e352 {
-                            phi_672_ = 38685626000000000000000000f;
+                            phi_681_ = 38685626000000000000000000f;
                         } else {
-                            phi_672_ = (1f / _e348);
+                            phi_681_ = (1f / _e348);
                         }
-                        let _e366 = phi_672_;
+                        let _e366 = phi_681_;
                         let _e367 = (_e275 == 0u);
                         if _e367 {
-                            phi_681_ = _e299[0];
+                            phi_690_ = _e299[0];
                         } else {
-                            phi_681_ = _e299[1];
+                            phi_690_ = _e299[1];
                         }
-                        let _e371 = phi_681_;
+                        let _e371 = phi_690_;
                         let _e372 = (_e275 == 2u);
                         if _e372 {
-                            phi_687_ = _e299[2];
+                            phi_696_ = _e299[2];
                         } else {
-                            phi_687_ = _e371;
+                            phi_696_ = _e371;
                         }
-                        let _e375 = phi_687_;
+                        let _e375 = phi_696_;
                         let _e376 = bitcast<u32>(_e375);
                         let _e378 = ((_e376 & 2139095040u) != 0u);
                         let _e390 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e376 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e376 & 2147483648u))), _e375, _e378) * select(0.00000011920929f, 1f, _e378));
                         if _e367 {
-                            phi_727_ = _e324[0];
+                            phi_736_ = _e324[0];
                         } else {
-                            phi_727_ = _e324[1];
+                            phi_736_ = _e324[1];
                         }
-                        let _e394 = phi_727_;
+                        let _e394 = phi_736_;
                         if _e372 {
-                            phi_733_ = _e324[2];
+                            phi_742_ = _e324[2];
                         } else {
-                            phi_733_ = _e394;
+                            phi_742_ = _e394;
                         }
-                        let _e397 = phi_733_;
+                        let _e397 = phi_742_;
                         let _e398 = bitcast<u32>(_e397);
                         let _e400 = ((_e398 & 2139095040u) != 0u);
                         let _e414 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e398 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e398 & 2147483648u))), _e397, _e400) * _e288) * select(0.00000011920929f, 1f, _e400)) * _e294);
                         let _e418 = (bitcast<f32>((bitcast<u32>(_e414) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e418 {
                             let _e422 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) * 0.00000011920929f);
-                            phi_785_ = select(0.00000000000011368684f, _e422, (_e422 > 0.00000000000011368684f));
+                            phi_794_ = select(0.00000000000011368684f, _e422, (_e422 > 0.00000000000011368684f));
                         } else {
-                            phi_785_ = 0f;
+                            phi_794_ = 0f;
                         }
-                        let _e426 = phi_785_;
+                        let _e426 = phi_794_;
                         let _e427 = (_e390 + _e426);
                         let _e428 = (_e390 - _e426);
                         let _e429 = select(_e414, 0f, _e418);
                         if _e418 {
-                            phi_796_ = 38685626000000000000000000f;
+                            phi_806_ = 38685626000000000000000000f;
                         } else {
-                            phi_796_ = (1f / _e414);
+                            phi_806_ = (1f / _e414);
                         }
-                        let _e432 = phi_796_;
+                        let _e432 = phi_806_;
                         let _e433 = (_e277 == 0u);
                         if _e433 {
-                            phi_805_ = _e299[0];
+                            phi_815_ = _e299[0];
                         } else {
-                            phi_805_ = _e299[1];
+                            phi_815_ = _e299[1];
                         }
-                        let _e437 = phi_805_;
+                        let _e437 = phi_815_;
                         let _e438 = (_e277 == 2u);
                         if _e438 {
-                            phi_811_ = _e299[2];
+                            phi_821_ = _e299[2];
                         } else {
-                            phi_811_ = _e437;
+                            phi_821_ = _e437;
                         }
-                        let _e441 = phi_811_;
+                        let _e441 = phi_821_;
                         let _e442 = bitcast<u32>(_e441);
                         let _e444 = ((_e442 & 2139095040u) != 0u);
                         let _e456 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e442 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e442 & 2147483648u))), _e441, _e444) * select(0.00000011920929f, 1f, _e444));
                         if _e433 {
-                            phi_851_ = _e324[0];
+                            phi_861_ = _e324[0];
                         } else {
-                            phi_851_ = _e324[1];
+                            phi_861_ = _e324[1];
                         }
-                        let _e460 = phi_851_;
+                        let _e460 = phi_861_;
                         if _e438 {
-                            phi_857_ = _e324[2];
+                            phi_867_ = _e324[2];
                         } else {
-                            phi_857_ = _e460;
+                            phi_867_ = _e460;
                         }
-                        let _e463 = phi_857_;
+                        let _e463 = phi_867_;
                         let _e464 = bitcast<u32>(_e463);
                         let _e466 = ((_e464 & 2139095040u) != 0u);
                         let _e480 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e464 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e464 & 2147483648u))), _e463, _e466) * _e288) * select(0.00000011920929f, 1f, _e466)) * _e294);
                         let _e484 = (bitcast<f32>((bitcast<u32>(_e480) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e484 {
                             let _e488 = (bitcast<f32>((bitcast<u32>(_e456) & 2147483647u)) * 0.00000011920929f);
-                            phi_909_ = select(0.00000000000011368684f, _e488, (_e488 > 0.00000000000011368684f));
+                            phi_919_ = select(0.00000000000011368684f, _e488, (_e488 > 0.00000000000011368684f));
                         } else {
-                            phi_909_ = 0f;
+                            phi_919_ = 0f;
                         }
-                        let _e492 = phi_909_;
+                        let _e492 = phi_919_;
                         let _e493 = (_e456 + _e492);
                         let _e494 = (_e456 - _e492);
                         let _e495 = select(_e480, 0f, _e484);
                         if _e484 {
-                            phi_920_ = 38685626000000000000000000f;
+                            phi_931_ = 38685626000000000000000000f;
                         } else {
-                            phi_920_ = (1f / _e480);
+                            phi_931_ = (1f / _e480);
                         }
-                        let _e498 = phi_920_;
+                        let _e498 = phi_931_;
                         let _e501 = bitcast<f32>((bitcast<u32>(_e323) & 2147483647u));
                         let _e504 = bitcast<f32>((bitcast<u32>(_e390) & 2147483647u));
                         let _e506 = select(_e504, _e501, (_e501 > _e504));
@@ -530,55 +530,55 @@ fn function_() {
                             let _e528 = (_e521 == 0u);
                             let _e531 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e521)), 32u, _e528)) - 8i);
                             if (_e524 == 255i) {
-                                phi_975_ = 255i;
+                                phi_986_ = 255i;
                             } else {
-                                phi_975_ = (((_e524 + select(0i, 1i, (_e524 == 0i))) - _e531) + _e257);
+                                phi_986_ = (((_e524 + select(0i, 1i, (_e524 == 0i))) - _e531) + _e257);
                             }
-                            let _e539 = phi_975_;
+                            let _e539 = phi_986_;
                             let _e549 = (_e539 <= 0i);
                             if _e549 {
-                                phi_998_ = u32();
+                                phi_1009_ = u32();
                             } else {
                                 if _e528 {
-                                    phi_997_ = u32();
+                                    phi_1008_ = u32();
                                 } else {
-                                    phi_997_ = select(((bitcast<u32>(_e539) << bitcast<u32>(23i)) | ((_e521 << bitcast<u32>(((_e531 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e539 >= 255i));
+                                    phi_1008_ = select(((bitcast<u32>(_e539) << bitcast<u32>(23i)) | ((_e521 << bitcast<u32>(((_e531 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e539 >= 255i));
                                 }
-                                let _e553 = phi_997_;
-                                phi_998_ = _e553;
+                                let _e553 = phi_1008_;
+                                phi_1009_ = _e553;
                             }
-                            let _e555 = phi_998_;
+                            let _e555 = phi_1009_;
                             let _e567 = ((_e234 & 8388607u) | (select(0u, 1u, ((_e234 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e570 = bitcast<i32>((_e234 >> bitcast<u32>(23i)));
                             let _e574 = (_e567 == 0u);
                             let _e577 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e567)), 32u, _e574)) - 8i);
                             if (_e570 == 255i) {
-                                phi_1035_ = 255i;
+                                phi_1046_ = 255i;
                             } else {
-                                phi_1035_ = (((_e570 + select(0i, 1i, (_e570 == 0i))) - _e577) + _e257);
+                                phi_1046_ = (((_e570 + select(0i, 1i, (_e570 == 0i))) - _e577) + _e257);
                             }
-                            let _e585 = phi_1035_;
+                            let _e585 = phi_1046_;
                             let _e595 = (_e585 <= 0i);
                             if _e595 {
-                                phi_1058_ = u32();
+                                phi_1069_ = u32();
                             } else {
                                 if _e574 {
-                                    phi_1057_ = u32();
+                                    phi_1068_ = u32();
                                 } else {
-                                    phi_1057_ = select(((bitcast<u32>(_e585) << bitcast<u32>(23i)) | ((_e567 << bitcast<u32>(((_e577 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e585 >= 255i));
+                                    phi_1068_ = select(((bitcast<u32>(_e585) << bitcast<u32>(23i)) | ((_e567 << bitcast<u32>(((_e577 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e585 >= 255i));
                                 }
-                                let _e599 = phi_1057_;
-                                phi_1058_ = _e599;
+                                let _e599 = phi_1068_;
+                                phi_1069_ = _e599;
                             }
-                            let _e601 = phi_1058_;
-                            phi_1066_ = bitcast<f32>(((_e233 & 2147483648u) | select(_e601, 0u, select(_e574, true, _e595))));
-                            phi_1067_ = bitcast<f32>(((_e223 & 2147483648u) | select(_e555, 0u, select(_e528, true, _e549))));
+                            let _e601 = phi_1069_;
+                            phi_1077_ = bitcast<f32>(((_e233 & 2147483648u) | select(_e601, 0u, select(_e574, true, _e595))));
+                            phi_1078_ = bitcast<f32>(((_e223 & 2147483648u) | select(_e555, 0u, select(_e528, true, _e549))));
                         } else {
-                            phi_1066_ = 0f;
-                            phi_1067_ = 1f;
+                            phi_1077_ = 0f;
+                            phi_1078_ = 1f;
                         }
-                        let _e607 = phi_1066_;
-                        let _e609 = phi_1067_;
+                        let _e607 = phi_1077_;
+                        let _e609 = phi_1078_;
                         if _e153 {
                         } else {
                             break;
@@ -628,198 +628,198 @@ fn function_() {
                             break;
                         }
                         let _e646 = local[_e630];
-                        phi_4002_ = false;
-                        phi_1165_ = type_46(type_42(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e607), 0u, 0u);
-                        phi_1168_ = type_53(type_38(vec4<f32>((f32(_e621) * _e150), (f32(_e627) * _e150), (f32(_e633) * _e150), 0f), vec4<f32>((f32(_e638) * _e150), (f32(_e642) * _e150), (f32(_e646) * _e150), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
-                        phi_1170_ = ((3u * _e96) + 1u);
-                        phi_1172_ = (_e609 <= _e607);
-                        phi_1174_ = 0u;
+                        phi_4114_ = false;
+                        phi_1183_ = type_46(type_43(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e607), 0u, 0u);
+                        phi_1186_ = (_e609 <= _e607);
+                        phi_1188_ = ((3u * _e96) + 1u);
+                        phi_1190_ = 0u;
+                        phi_1192_ = type_53(type_38(vec4<f32>((f32(_e621) * _e150), (f32(_e627) * _e150), (f32(_e633) * _e150), 0f), vec4<f32>((f32(_e638) * _e150), (f32(_e642) * _e150), (f32(_e646) * _e150), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
                         loop {
-                            let _e656 = phi_4002_;
-                            let _e658 = phi_1165_;
-                            let _e660 = phi_1168_;
-                            let _e662 = phi_1170_;
-                            let _e664 = phi_1172_;
-                            let _e666 = phi_1174_;
+                            let _e656 = phi_4114_;
+                            let _e658 = phi_1183_;
+                            let _e660 = phi_1186_;
+                            let _e662 = phi_1188_;
+                            let _e664 = phi_1190_;
+                            let _e666 = phi_1192_;
                             local_10 = _e658;
                             local_11 = _e658;
-                            if _e664 {
-                                phi_1185_ = true;
+                            if _e660 {
+                                phi_1203_ = true;
                             } else {
-                                phi_1185_ = (_e666 > 0u);
+                                phi_1203_ = (_e664 > 0u);
                             }
-                            let _e669 = phi_1185_;
+                            let _e669 = phi_1203_;
                             if _e669 {
                                 let _e670 = (_e662 > 0u);
                                 if _e670 {
-                                    if _e664 {
-                                        phi_1271_ = _e660;
-                                        phi_1272_ = _e664;
-                                        phi_1273_ = _e666;
+                                    if _e660 {
+                                        phi_1289_ = _e660;
+                                        phi_1290_ = _e664;
+                                        phi_1291_ = _e666;
                                     } else {
-                                        let _e671 = (_e666 - 1u);
+                                        let _e671 = (_e664 - 1u);
                                         let _e672 = (_e671 % 128u);
                                         let _e673 = (_e672 < 128u);
                                         if _e673 {
                                         } else {
-                                            phi_4156_ = true;
+                                            phi_4268_ = true;
                                             break;
                                         }
                                         let _e675 = local_7[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4156_ = true;
+                                            phi_4268_ = true;
                                             break;
                                         }
                                         let _e677 = local_6[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4156_ = true;
+                                            phi_4268_ = true;
                                             break;
                                         }
                                         let _e679 = local_5[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4156_ = true;
+                                            phi_4268_ = true;
                                             break;
                                         }
                                         let _e681 = local_4[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4156_ = true;
+                                            phi_4268_ = true;
                                             break;
                                         }
                                         let _e683 = local_3[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4156_ = true;
+                                            phi_4268_ = true;
                                             break;
                                         }
                                         let _e685 = local_2[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4156_ = true;
+                                            phi_4268_ = true;
                                             break;
                                         }
                                         let _e690 = local_8[_e672];
                                         if _e673 {
                                         } else {
-                                            phi_4156_ = true;
+                                            phi_4268_ = true;
                                             break;
                                         }
                                         let _e693 = local_9[_e672];
-                                        phi_1271_ = type_53(type_38(vec4<f32>(_e675, _e677, _e679, 0f), vec4<f32>(_e681, _e683, _e685, 0f)), _e690);
-                                        phi_1272_ = (_e693 <= _e658.member.member_1);
-                                        phi_1273_ = _e671;
+                                        phi_1289_ = (_e693 <= _e658.member.member_1);
+                                        phi_1290_ = _e671;
+                                        phi_1291_ = type_53(type_38(vec4<f32>(_e675, _e677, _e679, 0f), vec4<f32>(_e681, _e683, _e685, 0f)), _e690);
                                     }
-                                    let _e698 = phi_1271_;
-                                    let _e700 = phi_1272_;
-                                    let _e702 = phi_1273_;
-                                    if _e700 {
-                                        if ((_e698.member_1 & 2147483648u) != 0u) {
-                                            phi_1291_ = _e658;
-                                            phi_1294_ = type_7(0u, ((_e698.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e698 = phi_1289_;
+                                    let _e700 = phi_1290_;
+                                    let _e702 = phi_1291_;
+                                    if _e698 {
+                                        if ((_e702.member_1 & 2147483648u) != 0u) {
+                                            phi_1309_ = _e658;
+                                            phi_1312_ = type_7(0u, ((_e702.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1159 = phi_1291_;
-                                                let _e1161 = phi_1294_;
+                                                let _e1159 = phi_1309_;
+                                                let _e1161 = phi_1312_;
                                                 local_12 = _e1159;
                                                 if (_e1161.member < _e1161.member_1) {
-                                                    phi_1295_ = type_7((_e1161.member + 1u), _e1161.member_1);
-                                                    phi_1317_ = type_7(1u, _e1161.member);
+                                                    phi_1313_ = type_7((_e1161.member + 1u), _e1161.member_1);
+                                                    phi_1335_ = type_7(1u, _e1161.member);
                                                 } else {
-                                                    phi_1295_ = _e1161;
-                                                    phi_1317_ = type_7(0u, type_7().member_1);
+                                                    phi_1313_ = _e1161;
+                                                    phi_1335_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1174 = phi_1295_;
-                                                let _e1176 = phi_1317_;
+                                                let _e1174 = phi_1313_;
+                                                let _e1176 = phi_1335_;
                                                 let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
                                                 if _e1180 {
                                                     let _e1186 = type_46(_e1159.member, _e1159.member_1, (_e1159.member_2 + 1u));
-                                                    let _e1187 = ((_e698.member_1 & 268435455u) + _e1176.member_1);
+                                                    let _e1187 = ((_e702.member_1 & 268435455u) + _e1176.member_1);
                                                     let _e1188 = (_e1187 < _e98);
                                                     if _e1188 {
                                                         if _e1188 {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1192 = global_1.member[_e1187].member_1;
-                                                        phi_1341_ = _e1192;
+                                                        phi_1359_ = _e1192;
                                                     } else {
-                                                        phi_1341_ = 4294967295u;
+                                                        phi_1359_ = 4294967295u;
                                                     }
-                                                    let _e1194 = phi_1341_;
+                                                    let _e1194 = phi_1359_;
                                                     if (_e1187 >= _e98) {
-                                                        phi_1430_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                        phi_1451_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
                                                         if _e1188 {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         if (_e618 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1201 = global_1.member[_e1187].member[_e618];
                                                         if (_e624 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1207 = global_1.member[_e1187].member[_e624];
                                                         if (_e630 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1213 = global_1.member[_e1187].member[_e630];
                                                         let _e1215 = (3u + _e618);
                                                         if (_e1215 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1221 = global_1.member[_e1187].member[_e1215];
                                                         let _e1222 = (3u + _e624);
                                                         if (_e1222 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1228 = global_1.member[_e1187].member[_e1222];
                                                         let _e1229 = (3u + _e630);
                                                         if (_e1229 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1235 = global_1.member[_e1187].member[_e1229];
                                                         let _e1237 = (6u + _e618);
                                                         if (_e1237 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1243 = global_1.member[_e1187].member[_e1237];
                                                         let _e1244 = (6u + _e624);
                                                         if (_e1244 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1250 = global_1.member[_e1187].member[_e1244];
                                                         let _e1251 = (6u + _e630);
                                                         if (_e1251 < 9u) {
                                                         } else {
-                                                            phi_3996_ = true;
+                                                            phi_4108_ = true;
                                                             break;
                                                         }
                                                         let _e1257 = global_1.member[_e1187].member[_e1251];
-                                                        phi_1430_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1201, _e1207, _e1213), array<f32, 3>(_e1221, _e1228, _e1235), array<f32, 3>(_e1243, _e1250, _e1257));
+                                                        phi_1451_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1201, _e1207, _e1213), array<f32, 3>(_e1221, _e1228, _e1235), array<f32, 3>(_e1243, _e1250, _e1257));
                                                     }
-                                                    let _e1261 = phi_1430_;
+                                                    let _e1261 = phi_1451_;
                                                     let _e1270 = (_e1261[0][2] - _e456);
                                                     let _e1273 = (((_e1261[0][0] - _e323) * _e495) - (_e1270 * _e363));
                                                     let _e1276 = (((_e1261[0][1] - _e390) * _e495) - (_e1270 * _e429));
@@ -846,34 +846,34 @@ fn function_() {
                                                         let _e1332 = select(0f, _e1330, (_e1330 > 0f));
                                                         let _e1334 = ((_e1324 + _e1328) + _e1332);
                                                         if (_e1334 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2255_ = type_26();
-                                                            phi_2256_ = true;
-                                                            phi_2257_ = false;
+                                                            phi_2335_ = type_26();
+                                                            phi_2336_ = true;
+                                                            phi_2337_ = false;
                                                         } else {
                                                             let _e1337 = select(_e1286, _e1273, (_e1273 < _e1286));
                                                             if (select(_e1299, _e1337, (_e1337 < _e1299)) > 0f) {
-                                                                phi_1547_ = true;
+                                                                phi_1603_ = true;
                                                             } else {
                                                                 let _e1342 = select(_e1286, _e1273, (_e1273 > _e1286));
-                                                                phi_1547_ = (select(_e1299, _e1342, (_e1342 > _e1299)) < 0f);
+                                                                phi_1603_ = (select(_e1299, _e1342, (_e1342 > _e1299)) < 0f);
                                                             }
-                                                            let _e1347 = phi_1547_;
+                                                            let _e1347 = phi_1603_;
                                                             if _e1347 {
-                                                                phi_2252_ = type_26();
-                                                                phi_2253_ = true;
-                                                                phi_2254_ = false;
+                                                                phi_2332_ = type_26();
+                                                                phi_2333_ = true;
+                                                                phi_2334_ = false;
                                                             } else {
                                                                 let _e1349 = select(_e1289, _e1276, (_e1276 < _e1289));
                                                                 if (select(_e1302, _e1349, (_e1349 < _e1302)) > 0f) {
-                                                                    phi_1576_ = true;
+                                                                    phi_1632_ = true;
                                                                 } else {
                                                                     let _e1354 = select(_e1289, _e1276, (_e1276 > _e1289));
-                                                                    phi_1576_ = (select(_e1302, _e1354, (_e1354 > _e1302)) < 0f);
+                                                                    phi_1632_ = (select(_e1302, _e1354, (_e1354 > _e1302)) < 0f);
                                                                 }
-                                                                let _e1359 = phi_1576_;
+                                                                let _e1359 = phi_1632_;
                                                                 if _e1359 {
-                                                                    phi_2250_ = type_26();
-                                                                    phi_2251_ = false;
+                                                                    phi_2330_ = type_26();
+                                                                    phi_2331_ = false;
                                                                 } else {
                                                                     let _e1361 = select(_e1261[1][0], _e1261[0][0], (_e1261[0][0] < _e1261[1][0]));
                                                                     let _e1365 = select(_e1261[1][0], _e1261[0][0], (_e1261[0][0] > _e1261[1][0]));
@@ -900,12 +900,12 @@ fn function_() {
                                                                     let _e1416 = -(_e1397);
                                                                     let _e1422 = select(_e609, _e1407, (_e1407 > _e609));
                                                                     if (_e1422 > (_e1415 + (select(_e1416, _e1399, (_e1399 > _e1416)) * 0.0000019073523f))) {
-                                                                        phi_2245_ = type_26();
-                                                                        phi_2246_ = true;
+                                                                        phi_2325_ = type_26();
+                                                                        phi_2326_ = true;
                                                                     } else {
                                                                         let _e1424 = (_e1422 > _e1159.member.member_1);
                                                                         if _e1424 {
-                                                                            phi_2244_ = type_26();
+                                                                            phi_2324_ = type_26();
                                                                         } else {
                                                                             let _e1425 = vec3<f32>(_e1261[0][0], _e1261[0][1], _e1261[0][2]);
                                                                             let _e1426 = vec3<f32>(_e1261[1][0], _e1261[1][1], _e1261[1][2]);
@@ -940,49 +940,49 @@ fn function_() {
                                                                             let _e1480 = select(_e1465, _e1452, (_e1452 > _e1465));
                                                                             let _e1482 = select(_e1478, _e1480, (_e1480 > _e1478));
                                                                             if (_e1452 == _e1482) {
-                                                                                phi_1977_ = _e1289;
-                                                                                phi_1978_ = _e1286;
-                                                                                phi_1979_ = _e1276;
-                                                                                phi_1980_ = _e1273;
-                                                                                phi_1981_ = _e1425;
-                                                                                phi_1982_ = _e1439;
-                                                                                phi_1983_ = _e1435;
-                                                                                phi_1984_ = _e1431;
+                                                                                phi_2051_ = _e1289;
+                                                                                phi_2052_ = _e1286;
+                                                                                phi_2053_ = _e1276;
+                                                                                phi_2054_ = _e1273;
+                                                                                phi_2055_ = _e1425;
+                                                                                phi_2056_ = _e1439;
+                                                                                phi_2057_ = _e1435;
+                                                                                phi_2058_ = _e1431;
                                                                             } else {
                                                                                 let _e1484 = (_e1465 == _e1482);
                                                                                 let _e1489 = vec3(_e1484);
-                                                                                phi_1977_ = select(_e1276, _e1302, _e1484);
-                                                                                phi_1978_ = select(_e1273, _e1299, _e1484);
-                                                                                phi_1979_ = select(_e1302, _e1289, _e1484);
-                                                                                phi_1980_ = select(_e1299, _e1286, _e1484);
-                                                                                phi_1981_ = select(_e1427, _e1426, _e1489);
-                                                                                phi_1982_ = select(_e1435, _e1431, _e1489);
-                                                                                phi_1983_ = select(_e1431, _e1439, _e1489);
-                                                                                phi_1984_ = select(_e1439, _e1435, _e1489);
+                                                                                phi_2051_ = select(_e1276, _e1302, _e1484);
+                                                                                phi_2052_ = select(_e1273, _e1299, _e1484);
+                                                                                phi_2053_ = select(_e1302, _e1289, _e1484);
+                                                                                phi_2054_ = select(_e1299, _e1286, _e1484);
+                                                                                phi_2055_ = select(_e1427, _e1426, _e1489);
+                                                                                phi_2056_ = select(_e1435, _e1431, _e1489);
+                                                                                phi_2057_ = select(_e1431, _e1439, _e1489);
+                                                                                phi_2058_ = select(_e1439, _e1435, _e1489);
                                                                             }
-                                                                            let _e1495 = phi_1977_;
-                                                                            let _e1497 = phi_1978_;
-                                                                            let _e1499 = phi_1979_;
-                                                                            let _e1501 = phi_1980_;
-                                                                            let _e1503 = phi_1981_;
-                                                                            let _e1505 = phi_1982_;
-                                                                            let _e1507 = phi_1983_;
-                                                                            let _e1509 = phi_1984_;
+                                                                            let _e1495 = phi_2051_;
+                                                                            let _e1497 = phi_2052_;
+                                                                            let _e1499 = phi_2053_;
+                                                                            let _e1501 = phi_2054_;
+                                                                            let _e1503 = phi_2055_;
+                                                                            let _e1505 = phi_2056_;
+                                                                            let _e1507 = phi_2057_;
+                                                                            let _e1509 = phi_2058_;
                                                                             let _e1516 = ((_e1507.y * _e1505.z) - (_e1505.y * _e1507.z));
                                                                             let _e1521 = ((_e1507.z * _e1505.x) - (_e1505.z * _e1507.x));
                                                                             let _e1524 = ((_e1507.x * _e1505.y) - (_e1505.x * _e1507.y));
                                                                             if (_e1324 >= _e1328) {
-                                                                                phi_2015_ = select(true, false, (_e1324 >= _e1332));
+                                                                                phi_2095_ = select(true, false, (_e1324 >= _e1332));
                                                                             } else {
-                                                                                phi_2015_ = true;
+                                                                                phi_2095_ = true;
                                                                             }
-                                                                            let _e1529 = phi_2015_;
+                                                                            let _e1529 = phi_2095_;
                                                                             if _e1529 {
-                                                                                phi_2024_ = select(_e1427, _e1426, vec3((_e1328 >= _e1332)));
+                                                                                phi_2104_ = select(_e1427, _e1426, vec3((_e1328 >= _e1332)));
                                                                             } else {
-                                                                                phi_2024_ = _e1425;
+                                                                                phi_2104_ = _e1425;
                                                                             }
-                                                                            let _e1534 = phi_2024_;
+                                                                            let _e1534 = phi_2104_;
                                                                             let _e1545 = (((_e1516 * (_e1534.x - _e323)) + (_e1521 * (_e1534.y - _e390))) + (_e1524 * (_e1534.z - _e456)));
                                                                             let _e1550 = (((_e1516 * _e363) + (_e1521 * _e429)) + (_e1524 * _e495));
                                                                             let _e1551 = (_e1497 - _e1501);
@@ -1014,280 +1014,280 @@ fn function_() {
                                                                                 let _e1648 = bitcast<f32>((bitcast<u32>(_e1505.z) & 2147483647u));
                                                                                 let _e1652 = (bitcast<f32>((bitcast<u32>(_e1550) & 2147483647u)) > ((0.0000038146973f * select(_e1634, _e1631, (_e1631 > _e1634))) * select(_e1648, _e1645, (_e1645 > _e1648))));
                                                                                 if _e1652 {
-                                                                                    phi_2189_ = (_e1545 / _e1550);
+                                                                                    phi_2269_ = (_e1545 / _e1550);
                                                                                 } else {
-                                                                                    phi_2189_ = f32();
+                                                                                    phi_2269_ = f32();
                                                                                 }
-                                                                                let _e1655 = phi_2189_;
-                                                                                phi_2191_ = _e1655;
-                                                                                phi_2192_ = select(true, false, _e1652);
+                                                                                let _e1655 = phi_2269_;
+                                                                                phi_2271_ = _e1655;
+                                                                                phi_2272_ = select(true, false, _e1652);
                                                                             } else {
-                                                                                phi_2191_ = f32();
-                                                                                phi_2192_ = true;
+                                                                                phi_2271_ = f32();
+                                                                                phi_2272_ = true;
                                                                             }
-                                                                            let _e1658 = phi_2191_;
-                                                                            let _e1660 = phi_2192_;
+                                                                            let _e1658 = phi_2271_;
+                                                                            let _e1660 = phi_2272_;
                                                                             if _e1660 {
                                                                                 let _e1668 = (((_e1516 * (_e1577 - (_e363 * _e1580))) + (_e1521 * (_e1578 - (_e429 * _e1580)))) / _e1550);
                                                                                 if (bitcast<f32>((bitcast<u32>(_e1668) & 2147483647u)) <= _e1482) {
-                                                                                    phi_2212_ = (_e1580 + _e1668);
+                                                                                    phi_2292_ = (_e1580 + _e1668);
                                                                                 } else {
-                                                                                    phi_2212_ = _e1580;
+                                                                                    phi_2292_ = _e1580;
                                                                                 }
-                                                                                let _e1675 = phi_2212_;
-                                                                                phi_2213_ = _e1675;
+                                                                                let _e1675 = phi_2292_;
+                                                                                phi_2293_ = _e1675;
                                                                             } else {
-                                                                                phi_2213_ = _e1658;
+                                                                                phi_2293_ = _e1658;
                                                                             }
-                                                                            let _e1677 = phi_2213_;
+                                                                            let _e1677 = phi_2293_;
                                                                             let _e1679 = select(_e1415, _e1677, (_e1677 < _e1415));
                                                                             let _e1681 = select(_e1407, _e1679, (_e1679 > _e1407));
                                                                             if (_e1681 >= _e609) {
                                                                                 let _e1683 = (_e1681 <= _e1159.member.member_1);
                                                                                 if _e1683 {
                                                                                     let _e1684 = (1f / _e1334);
-                                                                                    phi_2236_ = type_26(_e1681, (_e1328 * _e1684), (_e1332 * _e1684), _e1194);
+                                                                                    phi_2316_ = type_26(_e1681, (_e1328 * _e1684), (_e1332 * _e1684), _e1194);
                                                                                 } else {
-                                                                                    phi_2236_ = type_26();
+                                                                                    phi_2316_ = type_26();
                                                                                 }
-                                                                                let _e1689 = phi_2236_;
-                                                                                phi_2238_ = _e1689;
-                                                                                phi_2239_ = select(true, false, _e1683);
+                                                                                let _e1689 = phi_2316_;
+                                                                                phi_2318_ = _e1689;
+                                                                                phi_2319_ = select(true, false, _e1683);
                                                                             } else {
-                                                                                phi_2238_ = type_26();
-                                                                                phi_2239_ = true;
+                                                                                phi_2318_ = type_26();
+                                                                                phi_2319_ = true;
                                                                             }
-                                                                            let _e1692 = phi_2238_;
-                                                                            let _e1694 = phi_2239_;
+                                                                            let _e1692 = phi_2318_;
+                                                                            let _e1694 = phi_2319_;
                                                                             if _e1694 {
-                                                                                phi_2243_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                                phi_2323_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2243_ = _e1692;
+                                                                                phi_2323_ = _e1692;
                                                                             }
-                                                                            let _e1696 = phi_2243_;
-                                                                            phi_2244_ = _e1696;
+                                                                            let _e1696 = phi_2323_;
+                                                                            phi_2324_ = _e1696;
                                                                         }
-                                                                        let _e1698 = phi_2244_;
-                                                                        phi_2245_ = _e1698;
-                                                                        phi_2246_ = _e1424;
+                                                                        let _e1698 = phi_2324_;
+                                                                        phi_2325_ = _e1698;
+                                                                        phi_2326_ = _e1424;
                                                                     }
-                                                                    let _e1700 = phi_2245_;
-                                                                    let _e1702 = phi_2246_;
-                                                                    phi_2250_ = _e1700;
-                                                                    phi_2251_ = _e1702;
+                                                                    let _e1700 = phi_2325_;
+                                                                    let _e1702 = phi_2326_;
+                                                                    phi_2330_ = _e1700;
+                                                                    phi_2331_ = _e1702;
                                                                 }
-                                                                let _e1704 = phi_2250_;
-                                                                let _e1706 = phi_2251_;
-                                                                phi_2252_ = _e1704;
-                                                                phi_2253_ = _e1359;
-                                                                phi_2254_ = _e1706;
+                                                                let _e1704 = phi_2330_;
+                                                                let _e1706 = phi_2331_;
+                                                                phi_2332_ = _e1704;
+                                                                phi_2333_ = _e1359;
+                                                                phi_2334_ = _e1706;
                                                             }
-                                                            let _e1708 = phi_2252_;
-                                                            let _e1710 = phi_2253_;
-                                                            let _e1712 = phi_2254_;
-                                                            phi_2255_ = _e1708;
-                                                            phi_2256_ = _e1710;
-                                                            phi_2257_ = _e1712;
+                                                            let _e1708 = phi_2332_;
+                                                            let _e1710 = phi_2333_;
+                                                            let _e1712 = phi_2334_;
+                                                            phi_2335_ = _e1708;
+                                                            phi_2336_ = _e1710;
+                                                            phi_2337_ = _e1712;
                                                         }
-                                                        let _e1714 = phi_2255_;
-                                                        let _e1716 = phi_2256_;
-                                                        let _e1718 = phi_2257_;
-                                                        phi_2265_ = _e1714;
-                                                        phi_2266_ = select(_e1718, true, _e1716);
+                                                        let _e1714 = phi_2335_;
+                                                        let _e1716 = phi_2336_;
+                                                        let _e1718 = phi_2337_;
+                                                        phi_2345_ = _e1714;
+                                                        phi_2346_ = select(_e1718, true, _e1716);
                                                     } else {
-                                                        phi_2265_ = type_26();
-                                                        phi_2266_ = true;
+                                                        phi_2345_ = type_26();
+                                                        phi_2346_ = true;
                                                     }
-                                                    let _e1721 = phi_2265_;
-                                                    let _e1723 = phi_2266_;
+                                                    let _e1721 = phi_2345_;
+                                                    let _e1723 = phi_2346_;
                                                     if _e1723 {
-                                                        phi_2270_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_2350_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2270_ = _e1721;
+                                                        phi_2350_ = _e1721;
                                                     }
-                                                    let _e1725 = phi_2270_;
+                                                    let _e1725 = phi_2350_;
                                                     if (_e1725.member_3 != 4294967295u) {
                                                         if (_e1194 != _e615) {
                                                             if (_e1725.member < _e1159.member.member.member) {
-                                                                phi_2296_ = true;
+                                                                phi_2376_ = true;
                                                             } else {
                                                                 if (_e1725.member == _e1159.member.member.member) {
-                                                                    phi_2295_ = (_e1725.member_3 < _e1159.member.member.member_3);
+                                                                    phi_2375_ = (_e1725.member_3 < _e1159.member.member.member_3);
                                                                 } else {
-                                                                    phi_2295_ = false;
+                                                                    phi_2375_ = false;
                                                                 }
-                                                                let _e1740 = phi_2295_;
-                                                                phi_2296_ = _e1740;
+                                                                let _e1740 = phi_2375_;
+                                                                phi_2376_ = _e1740;
                                                             }
-                                                            let _e1742 = phi_2296_;
+                                                            let _e1742 = phi_2376_;
                                                             if _e1742 {
-                                                                phi_2303_ = type_46(type_42(_e1725, _e1725.member), _e1186.member_1, _e1186.member_2);
+                                                                phi_2383_ = type_46(type_43(_e1725, _e1725.member), _e1186.member_1, _e1186.member_2);
                                                             } else {
-                                                                phi_2303_ = _e1186;
+                                                                phi_2383_ = _e1186;
                                                             }
-                                                            let _e1749 = phi_2303_;
-                                                            phi_2304_ = _e1749;
+                                                            let _e1749 = phi_2383_;
+                                                            phi_2384_ = _e1749;
                                                         } else {
-                                                            phi_2304_ = _e1186;
+                                                            phi_2384_ = _e1186;
                                                         }
-                                                        let _e1751 = phi_2304_;
-                                                        phi_2305_ = _e1751;
+                                                        let _e1751 = phi_2384_;
+                                                        phi_2385_ = _e1751;
                                                     } else {
-                                                        phi_2305_ = _e1186;
+                                                        phi_2385_ = _e1186;
                                                     }
-                                                    let _e1753 = phi_2305_;
-                                                    phi_1292_ = _e1753;
+                                                    let _e1753 = phi_2385_;
+                                                    phi_1310_ = _e1753;
                                                 } else {
-                                                    phi_1292_ = type_46();
+                                                    phi_1310_ = type_46();
                                                 }
-                                                let _e1755 = phi_1292_;
+                                                let _e1755 = phi_1310_;
                                                 continue;
                                                 continuing {
-                                                    phi_1291_ = _e1755;
-                                                    phi_1294_ = _e1174;
-                                                    phi_3996_ = _e656;
+                                                    phi_1309_ = _e1755;
+                                                    phi_1312_ = _e1174;
+                                                    phi_4108_ = _e656;
                                                     break if !(_e1180);
                                                 }
                                             }
-                                            let _e1758 = phi_3996_;
-                                            phi_4156_ = _e1758;
+                                            let _e1758 = phi_4108_;
+                                            phi_4268_ = _e1758;
                                             if _e1758 {
                                                 break;
                                             }
-                                            phi_4160_ = _e1758;
+                                            phi_4272_ = _e1758;
                                             let _e2093 = local_12;
-                                            phi_3513_ = _e2093;
-                                            phi_3514_ = _e698;
-                                            phi_3515_ = false;
-                                            phi_3516_ = _e702;
+                                            phi_3625_ = _e2093;
+                                            phi_3626_ = false;
+                                            phi_3627_ = _e700;
+                                            phi_3628_ = _e702;
                                         } else {
-                                            if (_e698.member_1 >= _e96) {
-                                                phi_3069_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e702.member_1 >= _e96) {
+                                                phi_3156_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e698.member_1 < _e96) {
+                                                if (_e702.member_1 < _e96) {
                                                 } else {
-                                                    phi_4156_ = true;
+                                                    phi_4268_ = true;
                                                     break;
                                                 }
-                                                let _e720 = ((1u + _e276) % 4u);
-                                                if (_e720 < 4u) {
+                                                let _e714 = ((1u + _e276) % 4u);
+                                                if (_e714 < 4u) {
                                                 } else {
-                                                    phi_4156_ = true;
+                                                    phi_4268_ = true;
                                                     break;
                                                 }
-                                                let _e725 = global_4.member[_e698.member_1][_e720];
-                                                let _e727 = (_e725 >> bitcast<u32>(11u));
-                                                let _e729 = ((1u + _e275) % 4u);
-                                                if (_e729 < 4u) {
+                                                let _e719 = global_4.member[_e702.member_1][_e714];
+                                                let _e721 = (_e719 >> bitcast<u32>(11u));
+                                                let _e723 = ((1u + _e275) % 4u);
+                                                if (_e723 < 4u) {
                                                 } else {
-                                                    phi_4156_ = true;
+                                                    phi_4268_ = true;
                                                     break;
                                                 }
-                                                let _e734 = global_4.member[_e698.member_1][_e729];
-                                                let _e736 = (_e734 >> bitcast<u32>(11u));
-                                                let _e738 = ((1u + _e277) % 4u);
-                                                if (_e738 < 4u) {
+                                                let _e728 = global_4.member[_e702.member_1][_e723];
+                                                let _e730 = (_e728 >> bitcast<u32>(11u));
+                                                let _e732 = ((1u + _e277) % 4u);
+                                                if (_e732 < 4u) {
                                                 } else {
-                                                    phi_4156_ = true;
+                                                    phi_4268_ = true;
                                                     break;
                                                 }
-                                                let _e743 = global_4.member[_e698.member_1][_e738];
-                                                let _e745 = (_e743 >> bitcast<u32>(11u));
-                                                let _e768 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.x - _e698.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e769 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.y - _e698.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e770 = (bitcast<f32>((bitcast<u32>((_e698.member.member_1.z - _e698.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e772 = select(_e150, _e768, (_e768 > _e150));
-                                                let _e774 = select(_e150, _e769, (_e769 > _e150));
-                                                let _e776 = select(_e150, _e770, (_e770 > _e150));
-                                                let _e807 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e725 & 1023u))) - 8388608f) * _e772));
-                                                let _e812 = (bitcast<i32>((_e725 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e815 = bitcast<f32>((_e807 & bitcast<u32>(_e812)));
-                                                let _e816 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e734 & 1023u))) - 8388608f) * _e774));
-                                                let _e821 = (bitcast<i32>((_e734 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e824 = bitcast<f32>((_e816 & bitcast<u32>(_e821)));
-                                                let _e825 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e743 & 1023u))) - 8388608f) * _e776));
-                                                let _e830 = (bitcast<i32>((_e743 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e833 = bitcast<f32>((_e825 & bitcast<u32>(_e830)));
-                                                let _e837 = bitcast<f32>((_e807 & bitcast<u32>(~(_e812))));
-                                                let _e841 = bitcast<f32>((_e816 & bitcast<u32>(~(_e821))));
-                                                let _e845 = bitcast<f32>((_e825 & bitcast<u32>(~(_e830))));
-                                                let _e846 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e727 & 1023u))) - 8388608f) * _e772));
-                                                let _e851 = (bitcast<i32>((_e727 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e854 = bitcast<f32>((_e846 & bitcast<u32>(_e851)));
-                                                let _e855 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 1023u))) - 8388608f) * _e774));
-                                                let _e860 = (bitcast<i32>((_e736 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e863 = bitcast<f32>((_e855 & bitcast<u32>(_e860)));
-                                                let _e864 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 1023u))) - 8388608f) * _e776));
-                                                let _e869 = (bitcast<i32>((_e745 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e872 = bitcast<f32>((_e864 & bitcast<u32>(_e869)));
-                                                let _e876 = bitcast<f32>((_e846 & bitcast<u32>(~(_e851))));
-                                                let _e880 = bitcast<f32>((_e855 & bitcast<u32>(~(_e860))));
-                                                let _e884 = bitcast<f32>((_e864 & bitcast<u32>(~(_e869))));
-                                                let _e914 = global_4.member[_e698.member_1][0u];
-                                                let _e918 = global_4.member[_e698.member_1][1u];
-                                                let _e922 = global_4.member[_e698.member_1][2u];
-                                                let _e926 = global_4.member[_e698.member_1][3u];
-                                                let _e938 = (((_e918 >> bitcast<u32>(22i)) | ((_e922 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e926 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e939 = (_e914 & 268435455u);
-                                                let _e940 = (_e938 & 268435455u);
-                                                let _e943 = ((_e914 >> bitcast<u32>(28u)) & 7u);
-                                                let _e951 = ((_e914 >> bitcast<u32>(31i)) | (((_e938 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e952 = (_e943 != 0u);
-                                                if (_e943 == 0u) {
-                                                    phi_3031_ = _e939;
+                                                let _e737 = global_4.member[_e702.member_1][_e732];
+                                                let _e739 = (_e737 >> bitcast<u32>(11u));
+                                                let _e762 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.x - _e702.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e763 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.y - _e702.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e764 = (bitcast<f32>((bitcast<u32>((_e702.member.member_1.z - _e702.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e766 = select(_e150, _e762, (_e762 > _e150));
+                                                let _e768 = select(_e150, _e763, (_e763 > _e150));
+                                                let _e770 = select(_e150, _e764, (_e764 > _e150));
+                                                let _e801 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e719 & 1023u))) - 8388608f) * _e766));
+                                                let _e806 = (bitcast<i32>((_e719 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e809 = bitcast<f32>((_e801 & bitcast<u32>(_e806)));
+                                                let _e810 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e728 & 1023u))) - 8388608f) * _e768));
+                                                let _e815 = (bitcast<i32>((_e728 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e818 = bitcast<f32>((_e810 & bitcast<u32>(_e815)));
+                                                let _e819 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e737 & 1023u))) - 8388608f) * _e770));
+                                                let _e824 = (bitcast<i32>((_e737 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e827 = bitcast<f32>((_e819 & bitcast<u32>(_e824)));
+                                                let _e831 = bitcast<f32>((_e801 & bitcast<u32>(~(_e806))));
+                                                let _e835 = bitcast<f32>((_e810 & bitcast<u32>(~(_e815))));
+                                                let _e839 = bitcast<f32>((_e819 & bitcast<u32>(~(_e824))));
+                                                let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e721 & 1023u))) - 8388608f) * _e766));
+                                                let _e845 = (bitcast<i32>((_e721 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
+                                                let _e849 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 1023u))) - 8388608f) * _e768));
+                                                let _e854 = (bitcast<i32>((_e730 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e857 = bitcast<f32>((_e849 & bitcast<u32>(_e854)));
+                                                let _e858 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e739 & 1023u))) - 8388608f) * _e770));
+                                                let _e863 = (bitcast<i32>((_e739 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e866 = bitcast<f32>((_e858 & bitcast<u32>(_e863)));
+                                                let _e870 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
+                                                let _e874 = bitcast<f32>((_e849 & bitcast<u32>(~(_e854))));
+                                                let _e878 = bitcast<f32>((_e858 & bitcast<u32>(~(_e863))));
+                                                let _e908 = global_4.member[_e702.member_1][0u];
+                                                let _e912 = global_4.member[_e702.member_1][1u];
+                                                let _e916 = global_4.member[_e702.member_1][2u];
+                                                let _e920 = global_4.member[_e702.member_1][3u];
+                                                let _e932 = (((_e912 >> bitcast<u32>(22i)) | ((_e916 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e920 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e933 = (_e908 & 268435455u);
+                                                let _e934 = (_e932 & 268435455u);
+                                                let _e937 = ((_e908 >> bitcast<u32>(28u)) & 7u);
+                                                let _e945 = ((_e908 >> bitcast<u32>(31i)) | (((_e932 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e946 = (_e937 != 0u);
+                                                if (_e937 == 0u) {
+                                                    phi_3118_ = _e933;
                                                 } else {
-                                                    if (_e943 == 7u) {
-                                                        phi_3030_ = 2147483648u;
+                                                    if (_e937 == 7u) {
+                                                        phi_3117_ = 2147483648u;
                                                     } else {
-                                                        phi_3030_ = ((2147483648u | (_e943 << bitcast<u32>(28u))) | (_e940 & 268435455u));
+                                                        phi_3117_ = ((2147483648u | (_e937 << bitcast<u32>(28u))) | (_e934 & 268435455u));
                                                     }
-                                                    let _e961 = phi_3030_;
-                                                    phi_3031_ = _e961;
+                                                    let _e955 = phi_3117_;
+                                                    phi_3118_ = _e955;
                                                 }
-                                                let _e963 = phi_3031_;
-                                                if _e952 {
-                                                    let _e964 = (_e943 != 7u);
-                                                    if _e964 {
-                                                        phi_3041_ = (_e940 + _e943);
+                                                let _e957 = phi_3118_;
+                                                if _e946 {
+                                                    let _e958 = (_e937 != 7u);
+                                                    if _e958 {
+                                                        phi_3128_ = (_e934 + _e937);
                                                     } else {
-                                                        phi_3041_ = u32();
+                                                        phi_3128_ = u32();
                                                     }
-                                                    let _e967 = phi_3041_;
-                                                    phi_3043_ = _e967;
-                                                    phi_3044_ = select(true, false, _e964);
+                                                    let _e961 = phi_3128_;
+                                                    phi_3130_ = _e961;
+                                                    phi_3131_ = select(true, false, _e958);
                                                 } else {
-                                                    phi_3043_ = u32();
-                                                    phi_3044_ = true;
+                                                    phi_3130_ = u32();
+                                                    phi_3131_ = true;
                                                 }
-                                                let _e970 = phi_3043_;
-                                                let _e972 = phi_3044_;
-                                                if (_e951 == 0u) {
-                                                    phi_3065_ = (_e939 + select(0u, 1u, !(_e952)));
+                                                let _e964 = phi_3130_;
+                                                let _e966 = phi_3131_;
+                                                if (_e945 == 0u) {
+                                                    phi_3152_ = (_e933 + select(0u, 1u, !(_e946)));
                                                 } else {
-                                                    if (_e951 == 7u) {
-                                                        phi_3064_ = 2147483648u;
+                                                    if (_e945 == 7u) {
+                                                        phi_3151_ = 2147483648u;
                                                     } else {
-                                                        phi_3064_ = ((2147483648u | (_e951 << bitcast<u32>(28u))) | (select(_e970, _e940, _e972) & 268435455u));
+                                                        phi_3151_ = ((2147483648u | (_e945 << bitcast<u32>(28u))) | (select(_e964, _e934, _e966) & 268435455u));
                                                     }
-                                                    let _e985 = phi_3064_;
-                                                    phi_3065_ = _e985;
+                                                    let _e979 = phi_3151_;
+                                                    phi_3152_ = _e979;
                                                 }
-                                                let _e987 = phi_3065_;
-                                                phi_3069_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e698.member.member.x + _e815), (_e698.member.member.x + _e837), (_e698.member.member_1.x - _e854), (_e698.member.member_1.x - _e876)), vec4<f32>((_e698.member.member.y + _e824), (_e698.member.member.y + _e841), (_e698.member.member_1.y - _e863), (_e698.member.member_1.y - _e880)), vec4<f32>((_e698.member.member.z + _e833), (_e698.member.member.z + _e845), (_e698.member.member_1.z - _e872), (_e698.member.member_1.z - _e884))), type_53(type_38((_e698.member.member + vec4<f32>(_e815, _e824, _e833, 0f)), (_e698.member.member_1 - vec4<f32>(_e854, _e863, _e872, 0f))), _e963), type_53(type_38((_e698.member.member + vec4<f32>(_e837, _e841, _e845, 0f)), (_e698.member.member_1 - vec4<f32>(_e876, _e880, _e884, 0f))), _e987));
+                                                let _e981 = phi_3152_;
+                                                phi_3156_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e702.member.member.x + _e809), (_e702.member.member.x + _e831), (_e702.member.member_1.x - _e848), (_e702.member.member_1.x - _e870)), vec4<f32>((_e702.member.member.y + _e818), (_e702.member.member.y + _e835), (_e702.member.member_1.y - _e857), (_e702.member.member_1.y - _e874)), vec4<f32>((_e702.member.member.z + _e827), (_e702.member.member.z + _e839), (_e702.member.member_1.z - _e866), (_e702.member.member_1.z - _e878))), type_53(type_38((_e702.member.member + vec4<f32>(_e809, _e818, _e827, 0f)), (_e702.member.member_1 - vec4<f32>(_e848, _e857, _e866, 0f))), _e957), type_53(type_38((_e702.member.member + vec4<f32>(_e831, _e835, _e839, 0f)), (_e702.member.member_1 - vec4<f32>(_e870, _e874, _e878, 0f))), _e981));
                                             }
-                                            let _e992 = phi_3069_;
-                                            let _e1005 = ((_e992.member[0].x - _e361) * _e366);
-                                            let _e1006 = ((_e992.member[0].y - _e361) * _e366);
-                                            let _e1007 = ((_e992.member[0].z - _e362) * _e366);
-                                            let _e1008 = ((_e992.member[0].w - _e362) * _e366);
-                                            let _e1018 = ((_e992.member[1].x - _e427) * _e432);
-                                            let _e1019 = ((_e992.member[1].y - _e427) * _e432);
-                                            let _e1020 = ((_e992.member[1].z - _e428) * _e432);
-                                            let _e1021 = ((_e992.member[1].w - _e428) * _e432);
-                                            let _e1031 = ((_e992.member[2].x - _e493) * _e498);
-                                            let _e1032 = ((_e992.member[2].y - _e493) * _e498);
-                                            let _e1033 = ((_e992.member[2].z - _e494) * _e498);
-                                            let _e1034 = ((_e992.member[2].w - _e494) * _e498);
+                                            let _e986 = phi_3156_;
+                                            let _e1005 = ((_e986.member[0].x - _e361) * _e366);
+                                            let _e1006 = ((_e986.member[0].y - _e361) * _e366);
+                                            let _e1007 = ((_e986.member[0].z - _e362) * _e366);
+                                            let _e1008 = ((_e986.member[0].w - _e362) * _e366);
+                                            let _e1018 = ((_e986.member[1].x - _e427) * _e432);
+                                            let _e1019 = ((_e986.member[1].y - _e427) * _e432);
+                                            let _e1020 = ((_e986.member[1].z - _e428) * _e432);
+                                            let _e1021 = ((_e986.member[1].w - _e428) * _e432);
+                                            let _e1031 = ((_e986.member[2].x - _e493) * _e498);
+                                            let _e1032 = ((_e986.member[2].y - _e493) * _e498);
+                                            let _e1033 = ((_e986.member[2].z - _e494) * _e498);
+                                            let _e1034 = ((_e986.member[2].w - _e494) * _e498);
                                             let _e1036 = select(_e1033, _e1031, (_e1031 < _e1033));
                                             let _e1038 = select(_e1034, _e1032, (_e1032 < _e1034));
                                             let _e1040 = select(_e1033, _e1031, (_e1031 > _e1033));
@@ -1318,188 +1318,188 @@ fn function_() {
                                             if _e1093 {
                                                 if _e1094 {
                                                     if _e1095 {
-                                                        phi_3413_ = _e992.member_2;
+                                                        phi_3521_ = _e986.member_2;
                                                     } else {
-                                                        phi_3413_ = _e992.member_1;
+                                                        phi_3521_ = _e986.member_1;
                                                     }
-                                                    let _e1099 = phi_3413_;
-                                                    let _e1121 = (_e702 % 128u);
+                                                    let _e1099 = phi_3521_;
+                                                    let _e1121 = (_e700 % 128u);
                                                     let _e1122 = (_e1121 < 128u);
                                                     if _e1122 {
                                                     } else {
-                                                        phi_4156_ = true;
+                                                        phi_4268_ = true;
                                                         break;
                                                     }
                                                     local_8[_e1121] = _e1099.member_1;
                                                     if _e1122 {
                                                     } else {
-                                                        phi_4156_ = true;
+                                                        phi_4268_ = true;
                                                         break;
                                                     }
                                                     local_7[_e1121] = _e1099.member.member.x;
                                                     if _e1122 {
                                                     } else {
-                                                        phi_4156_ = true;
+                                                        phi_4268_ = true;
                                                         break;
                                                     }
                                                     local_6[_e1121] = _e1099.member.member.y;
                                                     if _e1122 {
                                                     } else {
-                                                        phi_4156_ = true;
+                                                        phi_4268_ = true;
                                                         break;
                                                     }
                                                     local_5[_e1121] = _e1099.member.member.z;
                                                     if _e1122 {
                                                     } else {
-                                                        phi_4156_ = true;
+                                                        phi_4268_ = true;
                                                         break;
                                                     }
                                                     local_4[_e1121] = _e1099.member.member_1.x;
                                                     if _e1122 {
                                                     } else {
-                                                        phi_4156_ = true;
+                                                        phi_4268_ = true;
                                                         break;
                                                     }
                                                     local_3[_e1121] = _e1099.member.member_1.y;
                                                     if _e1122 {
                                                     } else {
-                                                        phi_4156_ = true;
+                                                        phi_4268_ = true;
                                                         break;
                                                     }
                                                     local_2[_e1121] = _e1099.member.member_1.z;
                                                     if _e1122 {
                                                     } else {
-                                                        phi_4156_ = true;
+                                                        phi_4268_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1121] = select(_e1088, _e1086, (_e1086 > _e1088));
+                                                    local_9[_e1121] = select(_e1088, _e1086, !(_e1095));
                                                     if _e1095 {
-                                                        phi_3490_ = _e992.member_1;
+                                                        phi_3598_ = _e986.member_1;
                                                     } else {
-                                                        phi_3490_ = _e992.member_2;
+                                                        phi_3598_ = _e986.member_2;
                                                     }
-                                                    let _e1135 = phi_3490_;
-                                                    phi_3491_ = _e1135;
-                                                    phi_3492_ = (_e702 + 1u);
+                                                    let _e1135 = phi_3598_;
+                                                    phi_3599_ = (_e700 + 1u);
+                                                    phi_3600_ = _e1135;
                                                 } else {
-                                                    phi_3491_ = type_53();
-                                                    phi_3492_ = u32();
+                                                    phi_3599_ = u32();
+                                                    phi_3600_ = type_53();
                                                 }
-                                                let _e1137 = phi_3491_;
-                                                let _e1139 = phi_3492_;
-                                                phi_3494_ = _e1137;
-                                                phi_3495_ = _e1139;
-                                                phi_3496_ = select(true, false, _e1094);
+                                                let _e1137 = phi_3599_;
+                                                let _e1139 = phi_3600_;
+                                                phi_3602_ = _e1137;
+                                                phi_3603_ = _e1139;
+                                                phi_3604_ = select(true, false, _e1094);
                                             } else {
-                                                phi_3494_ = type_53();
-                                                phi_3495_ = u32();
-                                                phi_3496_ = true;
+                                                phi_3602_ = u32();
+                                                phi_3603_ = type_53();
+                                                phi_3604_ = true;
                                             }
-                                            let _e1142 = phi_3494_;
-                                            let _e1144 = phi_3495_;
-                                            let _e1146 = phi_3496_;
+                                            let _e1142 = phi_3602_;
+                                            let _e1144 = phi_3603_;
+                                            let _e1146 = phi_3604_;
                                             if _e1146 {
                                                 if _e1093 {
-                                                    phi_3505_ = _e992.member_1;
+                                                    phi_3613_ = _e986.member_1;
                                                 } else {
-                                                    phi_3505_ = _e992.member_2;
+                                                    phi_3613_ = _e986.member_2;
                                                 }
-                                                let _e1150 = phi_3505_;
-                                                phi_3510_ = _e1150;
-                                                phi_3511_ = select(_e1094, true, _e1093);
+                                                let _e1150 = phi_3613_;
+                                                phi_3618_ = select(_e1094, true, _e1093);
+                                                phi_3620_ = _e1150;
                                             } else {
-                                                phi_3510_ = _e1142;
-                                                phi_3511_ = _e700;
+                                                phi_3618_ = _e698;
+                                                phi_3620_ = _e1144;
                                             }
-                                            let _e1153 = phi_3510_;
-                                            let _e1155 = phi_3511_;
-                                            phi_4160_ = _e656;
-                                            phi_3513_ = type_46(_e658.member, (_e658.member_1 + 1u), _e658.member_2);
-                                            phi_3514_ = _e1153;
-                                            phi_3515_ = _e1155;
-                                            phi_3516_ = select(_e1144, _e702, _e1146);
+                                            let _e1153 = phi_3618_;
+                                            let _e1155 = phi_3620_;
+                                            phi_4272_ = _e656;
+                                            phi_3625_ = type_46(_e658.member, (_e658.member_1 + 1u), _e658.member_2);
+                                            phi_3626_ = _e1153;
+                                            phi_3627_ = select(_e1142, _e700, _e1146);
+                                            phi_3628_ = _e1155;
                                         }
-                                        let _e1760 = phi_4160_;
-                                        let _e1762 = phi_3513_;
-                                        let _e1764 = phi_3514_;
-                                        let _e1766 = phi_3515_;
-                                        let _e1768 = phi_3516_;
-                                        phi_4159_ = _e1760;
-                                        phi_3517_ = _e1762;
-                                        phi_3518_ = _e1764;
-                                        phi_3519_ = (_e662 - 1u);
-                                        phi_3520_ = _e1766;
-                                        phi_3521_ = _e1768;
+                                        let _e1760 = phi_4272_;
+                                        let _e1762 = phi_3625_;
+                                        let _e1764 = phi_3626_;
+                                        let _e1766 = phi_3627_;
+                                        let _e1768 = phi_3628_;
+                                        phi_4271_ = _e1760;
+                                        phi_3629_ = _e1762;
+                                        phi_3630_ = _e1764;
+                                        phi_3631_ = (_e662 - 1u);
+                                        phi_3632_ = _e1766;
+                                        phi_3633_ = _e1768;
                                     } else {
-                                        phi_4159_ = _e656;
-                                        phi_3517_ = _e658;
-                                        phi_3518_ = _e698;
-                                        phi_3519_ = _e662;
-                                        phi_3520_ = _e700;
-                                        phi_3521_ = _e702;
+                                        phi_4271_ = _e656;
+                                        phi_3629_ = _e658;
+                                        phi_3630_ = _e698;
+                                        phi_3631_ = _e662;
+                                        phi_3632_ = _e700;
+                                        phi_3633_ = _e702;
                                     }
-                                    let _e1770 = phi_4159_;
-                                    let _e1772 = phi_3517_;
-                                    let _e1774 = phi_3518_;
-                                    let _e1776 = phi_3519_;
-                                    let _e1778 = phi_3520_;
-                                    let _e1780 = phi_3521_;
-                                    phi_4158_ = _e1770;
-                                    phi_3522_ = _e1772;
-                                    phi_3523_ = _e1774;
-                                    phi_3524_ = _e1776;
-                                    phi_3525_ = _e1778;
-                                    phi_3526_ = _e1780;
+                                    let _e1770 = phi_4271_;
+                                    let _e1772 = phi_3629_;
+                                    let _e1774 = phi_3630_;
+                                    let _e1776 = phi_3631_;
+                                    let _e1778 = phi_3632_;
+                                    let _e1780 = phi_3633_;
+                                    phi_4270_ = _e1770;
+                                    phi_3634_ = _e1772;
+                                    phi_3635_ = _e1774;
+                                    phi_3636_ = _e1776;
+                                    phi_3637_ = _e1778;
+                                    phi_3638_ = _e1780;
                                 } else {
-                                    phi_4158_ = _e656;
-                                    phi_3522_ = type_46();
-                                    phi_3523_ = type_53();
-                                    phi_3524_ = u32();
-                                    phi_3525_ = bool();
-                                    phi_3526_ = u32();
+                                    phi_4270_ = _e656;
+                                    phi_3634_ = type_46();
+                                    phi_3635_ = bool();
+                                    phi_3636_ = u32();
+                                    phi_3637_ = u32();
+                                    phi_3638_ = type_53();
                                 }
-                                let _e1782 = phi_4158_;
-                                let _e1784 = phi_3522_;
-                                let _e1786 = phi_3523_;
-                                let _e1788 = phi_3524_;
-                                let _e1790 = phi_3525_;
-                                let _e1792 = phi_3526_;
-                                phi_4157_ = _e1782;
-                                phi_1166_ = _e1784;
-                                phi_1169_ = _e1786;
-                                phi_1171_ = _e1788;
-                                phi_1173_ = _e1790;
-                                phi_1175_ = _e1792;
-                                phi_3527_ = _e670;
+                                let _e1782 = phi_4270_;
+                                let _e1784 = phi_3634_;
+                                let _e1786 = phi_3635_;
+                                let _e1788 = phi_3636_;
+                                let _e1790 = phi_3637_;
+                                let _e1792 = phi_3638_;
+                                phi_4269_ = _e1782;
+                                phi_1184_ = _e1784;
+                                phi_1187_ = _e1786;
+                                phi_1189_ = _e1788;
+                                phi_1191_ = _e1790;
+                                phi_1193_ = _e1792;
+                                phi_3639_ = _e670;
                             } else {
-                                phi_4157_ = _e656;
-                                phi_1166_ = type_46();
-                                phi_1169_ = type_53();
-                                phi_1171_ = u32();
-                                phi_1173_ = bool();
-                                phi_1175_ = u32();
-                                phi_3527_ = false;
+                                phi_4269_ = _e656;
+                                phi_1184_ = type_46();
+                                phi_1187_ = bool();
+                                phi_1189_ = u32();
+                                phi_1191_ = u32();
+                                phi_1193_ = type_53();
+                                phi_3639_ = false;
                             }
-                            let _e1794 = phi_4157_;
-                            let _e1796 = phi_1166_;
-                            let _e1798 = phi_1169_;
-                            let _e1800 = phi_1171_;
-                            let _e1802 = phi_1173_;
-                            let _e1804 = phi_1175_;
-                            let _e1806 = phi_3527_;
+                            let _e1794 = phi_4269_;
+                            let _e1796 = phi_1184_;
+                            let _e1798 = phi_1187_;
+                            let _e1800 = phi_1189_;
+                            let _e1802 = phi_1191_;
+                            let _e1804 = phi_1193_;
+                            let _e1806 = phi_3639_;
                             continue;
                             continuing {
-                                phi_4002_ = _e1794;
-                                phi_1165_ = _e1796;
-                                phi_1168_ = _e1798;
-                                phi_1170_ = _e1800;
-                                phi_1172_ = _e1802;
-                                phi_1174_ = _e1804;
-                                phi_4156_ = _e1794;
+                                phi_4114_ = _e1794;
+                                phi_1183_ = _e1796;
+                                phi_1186_ = _e1798;
+                                phi_1188_ = _e1800;
+                                phi_1190_ = _e1802;
+                                phi_1192_ = _e1804;
+                                phi_4268_ = _e1794;
                                 break if !(_e1806);
                             }
                         }
-                        let _e1809 = phi_4156_;
+                        let _e1809 = phi_4268_;
                         if _e1809 {
                             break;
                         }
@@ -1509,110 +1509,110 @@ fn function_() {
                             let _e1821 = (bitcast<i32>((_e1817 >> bitcast<u32>(23i))) & 255i);
                             let _e1822 = (_e1821 + _e278);
                             if (_e1821 == 255i) {
-                                phi_3586_ = _e1811.member.member.member;
+                                phi_3698_ = _e1811.member.member.member;
                             } else {
                                 if (_e1821 > 0i) {
                                     if (_e1822 > 0i) {
                                         let _e1826 = (_e1822 < 255i);
                                         if _e1826 {
-                                            phi_3565_ = bitcast<f32>((_e1817 + bitcast<u32>((_e278 << bitcast<u32>(23i)))));
+                                            phi_3677_ = bitcast<f32>((_e1817 + bitcast<u32>((_e278 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_3565_ = f32();
+                                            phi_3677_ = f32();
                                         }
-                                        let _e1833 = phi_3565_;
-                                        phi_3567_ = _e1833;
-                                        phi_3568_ = select(true, false, _e1826);
+                                        let _e1833 = phi_3677_;
+                                        phi_3679_ = _e1833;
+                                        phi_3680_ = select(true, false, _e1826);
                                     } else {
-                                        phi_3567_ = f32();
-                                        phi_3568_ = true;
+                                        phi_3679_ = f32();
+                                        phi_3680_ = true;
                                     }
-                                    let _e1836 = phi_3567_;
-                                    let _e1838 = phi_3568_;
-                                    phi_3569_ = _e1836;
-                                    phi_3570_ = _e1838;
+                                    let _e1836 = phi_3679_;
+                                    let _e1838 = phi_3680_;
+                                    phi_3681_ = _e1836;
+                                    phi_3682_ = _e1838;
                                 } else {
-                                    phi_3569_ = f32();
-                                    phi_3570_ = true;
+                                    phi_3681_ = f32();
+                                    phi_3682_ = true;
                                 }
-                                let _e1840 = phi_3569_;
-                                let _e1842 = phi_3570_;
+                                let _e1840 = phi_3681_;
+                                let _e1842 = phi_3682_;
                                 if _e1842 {
                                     let _e1843 = (_e1817 & 2147483648u);
                                     let _e1850 = ((_e1817 & 8388607u) | (select(0u, 1u, ((_e1817 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                     let _e1854 = (_e1850 == 0u);
                                     if _e1854 {
-                                        phi_3954_ = bitcast<f32>(_e1843);
+                                        phi_4066_ = bitcast<f32>(_e1843);
                                     } else {
                                         let _e1859 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1850)), 32u, _e1854) - 8u);
                                         let _e1862 = (_e1850 << bitcast<u32>((_e1859 & 31u)));
                                         let _e1864 = ((_e1822 + select(0i, 1i, (_e1821 == 0i))) - bitcast<i32>(_e1859));
                                         if (_e1864 >= 255i) {
-                                            phi_3944_ = bitcast<f32>((_e1843 | 2139095040u));
-                                            phi_3945_ = f32();
-                                            phi_3946_ = true;
+                                            phi_4056_ = bitcast<f32>((_e1843 | 2139095040u));
+                                            phi_4057_ = f32();
+                                            phi_4058_ = true;
                                         } else {
                                             let _e1866 = (_e1864 > 0i);
                                             if _e1866 {
-                                                phi_3938_ = bitcast<f32>(((_e1843 | (bitcast<u32>(_e1864) << bitcast<u32>(23i))) | (_e1862 & 8388607u)));
-                                                phi_3939_ = f32();
+                                                phi_4050_ = bitcast<f32>(((_e1843 | (bitcast<u32>(_e1864) << bitcast<u32>(23i))) | (_e1862 & 8388607u)));
+                                                phi_4051_ = f32();
                                             } else {
                                                 if (_e1864 < -24i) {
-                                                    phi_3904_ = 26u;
+                                                    phi_4016_ = 26u;
                                                 } else {
-                                                    phi_3904_ = bitcast<u32>((1i - _e1864));
+                                                    phi_4016_ = bitcast<u32>((1i - _e1864));
                                                 }
-                                                let _e1871 = phi_3904_;
+                                                let _e1871 = phi_4016_;
                                                 let _e1872 = (_e1871 & 31u);
                                                 let _e1874 = (_e1862 >> bitcast<u32>(_e1872));
                                                 let _e1878 = (_e1862 & ((1u << bitcast<u32>(_e1872)) - 1u));
                                                 let _e1882 = (1u << bitcast<u32>(((_e1871 - 1u) & 31u)));
                                                 if (_e1878 > _e1882) {
-                                                    phi_3925_ = true;
+                                                    phi_4037_ = true;
                                                 } else {
                                                     if (_e1878 == _e1882) {
-                                                        phi_3922_ = ((_e1874 & 1u) == 1u);
+                                                        phi_4034_ = ((_e1874 & 1u) == 1u);
                                                     } else {
-                                                        phi_3922_ = false;
+                                                        phi_4034_ = false;
                                                     }
-                                                    let _e1888 = phi_3922_;
-                                                    phi_3925_ = _e1888;
+                                                    let _e1888 = phi_4034_;
+                                                    phi_4037_ = _e1888;
                                                 }
-                                                let _e1890 = phi_3925_;
-                                                phi_3938_ = f32();
-                                                phi_3939_ = bitcast<f32>((_e1843 | (_e1874 + select(0u, 1u, _e1890))));
+                                                let _e1890 = phi_4037_;
+                                                phi_4050_ = f32();
+                                                phi_4051_ = bitcast<f32>((_e1843 | (_e1874 + select(0u, 1u, _e1890))));
                                             }
-                                            let _e1903 = phi_3938_;
-                                            let _e1905 = phi_3939_;
-                                            phi_3944_ = _e1903;
-                                            phi_3945_ = _e1905;
-                                            phi_3946_ = _e1866;
+                                            let _e1903 = phi_4050_;
+                                            let _e1905 = phi_4051_;
+                                            phi_4056_ = _e1903;
+                                            phi_4057_ = _e1905;
+                                            phi_4058_ = _e1866;
                                         }
-                                        let _e1909 = phi_3944_;
-                                        let _e1911 = phi_3945_;
-                                        let _e1913 = phi_3946_;
-                                        phi_3954_ = select(_e1911, _e1909, _e1913);
+                                        let _e1909 = phi_4056_;
+                                        let _e1911 = phi_4057_;
+                                        let _e1913 = phi_4058_;
+                                        phi_4066_ = select(_e1911, _e1909, _e1913);
                                     }
-                                    let _e1917 = phi_3954_;
-                                    phi_3585_ = _e1917;
+                                    let _e1917 = phi_4066_;
+                                    phi_3697_ = _e1917;
                                 } else {
-                                    phi_3585_ = _e1840;
+                                    phi_3697_ = _e1840;
                                 }
-                                let _e1919 = phi_3585_;
-                                phi_3586_ = _e1919;
+                                let _e1919 = phi_3697_;
+                                phi_3698_ = _e1919;
                             }
-                            let _e1921 = phi_3586_;
+                            let _e1921 = phi_3698_;
                             let _e1922 = bitcast<u32>(_e1921);
                             if ((_e1922 & 2147483647u) >= 2139095040u) {
-                                phi_3598_ = bitcast<f32>(((_e1922 & 2147483648u) | 2139095039u));
+                                phi_3710_ = bitcast<f32>(((_e1922 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_3598_ = _e1921;
+                                phi_3710_ = _e1921;
                             }
-                            let _e1929 = phi_3598_;
-                            phi_3603_ = type_26(_e1929, _e1811.member.member.member_1, _e1811.member.member.member_2, _e1811.member.member.member_3);
+                            let _e1929 = phi_3710_;
+                            phi_3715_ = type_26(_e1929, _e1811.member.member.member_1, _e1811.member.member.member_2, _e1811.member.member.member_3);
                         } else {
-                            phi_3603_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3715_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1934 = phi_3603_;
+                        let _e1934 = phi_3715_;
                         if _e154 {
                         } else {
                             break;

@@ -42,13 +42,13 @@ struct type_30 {
     member_1: vec4<f32>,
 }
 
-struct type_34 {
+struct type_35 {
     member: type_18,
     member_1: f32,
 }
 
 struct type_38 {
-    member: type_34,
+    member: type_35,
     member_1: u32,
     member_2: u32,
 }
@@ -103,194 +103,194 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_486_: i32;
-    var phi_487_: i32;
-    var phi_497_: bool;
-    var phi_507_: u32;
-    var phi_508_: u32;
-    var phi_510_: bool;
+    var phi_493_: i32;
+    var phi_494_: i32;
+    var phi_504_: bool;
+    var phi_514_: u32;
     var phi_515_: u32;
-    var phi_547_: i32;
-    var phi_565_: f32;
-    var phi_571_: f32;
-    var phi_611_: f32;
-    var phi_617_: f32;
-    var phi_669_: f32;
-    var phi_680_: f32;
+    var phi_517_: bool;
+    var phi_522_: u32;
+    var phi_555_: i32;
+    var phi_573_: f32;
+    var phi_579_: f32;
+    var phi_619_: f32;
+    var phi_625_: f32;
+    var phi_677_: f32;
     var phi_689_: f32;
-    var phi_695_: f32;
-    var phi_735_: f32;
-    var phi_741_: f32;
-    var phi_793_: f32;
-    var phi_804_: f32;
-    var phi_813_: f32;
-    var phi_819_: f32;
-    var phi_859_: f32;
-    var phi_865_: f32;
-    var phi_917_: f32;
-    var phi_928_: f32;
-    var phi_983_: i32;
-    var phi_1005_: u32;
-    var phi_1006_: u32;
-    var phi_1043_: i32;
-    var phi_1065_: u32;
-    var phi_1066_: u32;
-    var phi_1074_: f32;
-    var phi_1075_: f32;
-    var phi_4647_: bool;
-    var phi_1173_: type_38;
-    var phi_1176_: type_49;
-    var phi_1178_: u32;
-    var phi_1180_: bool;
-    var phi_1182_: u32;
-    var phi_1193_: bool;
-    var phi_1279_: type_49;
-    var phi_1280_: bool;
-    var phi_1281_: u32;
-    var phi_3415_: u32;
-    var phi_3421_: u32;
-    var phi_3675_: u32;
-    var phi_3676_: u32;
-    var phi_3686_: u32;
-    var phi_3688_: u32;
-    var phi_3689_: bool;
-    var phi_3709_: u32;
-    var phi_3710_: u32;
-    var phi_3714_: type_50;
-    var phi_4058_: type_49;
-    var phi_4135_: type_49;
-    var phi_4136_: type_49;
-    var phi_4137_: u32;
-    var phi_4139_: type_49;
-    var phi_4140_: u32;
-    var phi_4141_: bool;
-    var phi_4150_: type_49;
-    var phi_4155_: type_49;
-    var phi_4156_: bool;
-    var phi_1300_: type_38;
-    var phi_1303_: type_8;
-    var phi_1304_: type_8;
-    var phi_1326_: type_8;
-    var phi_1370_: u32;
-    var phi_1376_: u32;
-    var phi_1386_: u32;
-    var phi_1402_: u32;
-    var phi_1435_: u32;
-    var phi_1441_: u32;
-    var phi_1886_: u32;
-    var phi_1904_: u32;
-    var phi_1922_: u32;
-    var phi_1942_: u32;
-    var phi_1960_: u32;
-    var phi_1978_: u32;
-    var phi_1998_: u32;
-    var phi_2016_: u32;
-    var phi_2034_: u32;
-    var phi_1603_: u32;
-    var phi_1618_: u32;
-    var phi_1628_: u32;
-    var phi_1649_: u32;
-    var phi_1670_: u32;
-    var phi_1697_: u32;
-    var phi_1712_: u32;
-    var phi_1722_: u32;
-    var phi_1743_: u32;
-    var phi_1764_: u32;
-    var phi_1791_: u32;
-    var phi_1806_: u32;
-    var phi_1816_: u32;
-    var phi_1837_: u32;
-    var phi_1858_: u32;
-    var phi_1465_: u32;
-    var phi_1511_: u32;
-    var phi_1557_: u32;
-    var phi_2040_: array<array<f32, 3>, 3>;
-    var phi_2157_: bool;
-    var phi_2186_: bool;
-    var phi_2587_: f32;
-    var phi_2588_: f32;
-    var phi_2589_: f32;
-    var phi_2590_: f32;
-    var phi_2591_: vec3<f32>;
-    var phi_2592_: vec3<f32>;
-    var phi_2593_: vec3<f32>;
-    var phi_2594_: vec3<f32>;
-    var phi_2625_: bool;
-    var phi_2634_: vec3<f32>;
-    var phi_2799_: f32;
-    var phi_2801_: f32;
-    var phi_2802_: bool;
-    var phi_2822_: f32;
-    var phi_2823_: f32;
-    var phi_2846_: type_18;
-    var phi_2848_: type_18;
-    var phi_2849_: bool;
-    var phi_2853_: type_18;
-    var phi_2854_: type_18;
-    var phi_2855_: type_18;
-    var phi_2856_: bool;
-    var phi_2860_: type_18;
-    var phi_2861_: bool;
-    var phi_2862_: type_18;
-    var phi_2863_: bool;
-    var phi_2864_: bool;
-    var phi_2865_: type_18;
-    var phi_2866_: bool;
-    var phi_2867_: bool;
-    var phi_2875_: type_18;
-    var phi_2876_: bool;
-    var phi_2880_: type_18;
-    var phi_2905_: bool;
+    var phi_698_: f32;
+    var phi_704_: f32;
+    var phi_744_: f32;
+    var phi_750_: f32;
+    var phi_802_: f32;
+    var phi_814_: f32;
+    var phi_823_: f32;
+    var phi_829_: f32;
+    var phi_869_: f32;
+    var phi_875_: f32;
+    var phi_927_: f32;
+    var phi_939_: f32;
+    var phi_994_: i32;
+    var phi_1016_: u32;
+    var phi_1017_: u32;
+    var phi_1054_: i32;
+    var phi_1076_: u32;
+    var phi_1077_: u32;
+    var phi_1085_: f32;
+    var phi_1086_: f32;
+    var phi_4783_: bool;
+    var phi_1191_: type_38;
+    var phi_1194_: bool;
+    var phi_1196_: u32;
+    var phi_1198_: u32;
+    var phi_1200_: type_49;
+    var phi_1211_: bool;
+    var phi_1297_: bool;
+    var phi_1298_: u32;
+    var phi_1299_: type_49;
+    var phi_3526_: u32;
+    var phi_3532_: u32;
+    var phi_3786_: u32;
+    var phi_3787_: u32;
+    var phi_3797_: u32;
+    var phi_3799_: u32;
+    var phi_3800_: bool;
+    var phi_3820_: u32;
+    var phi_3821_: u32;
+    var phi_3825_: type_50;
+    var phi_4190_: type_49;
+    var phi_4267_: type_49;
+    var phi_4268_: u32;
+    var phi_4269_: type_49;
+    var phi_4271_: u32;
+    var phi_4272_: type_49;
+    var phi_4273_: bool;
+    var phi_4282_: type_49;
+    var phi_4287_: bool;
+    var phi_4289_: type_49;
+    var phi_1318_: type_38;
+    var phi_1321_: type_8;
+    var phi_1322_: type_8;
+    var phi_1344_: type_8;
+    var phi_1388_: u32;
+    var phi_1394_: u32;
+    var phi_1404_: u32;
+    var phi_1420_: u32;
+    var phi_1453_: u32;
+    var phi_1459_: u32;
+    var phi_1925_: u32;
+    var phi_1943_: u32;
+    var phi_1961_: u32;
+    var phi_1984_: u32;
+    var phi_2002_: u32;
+    var phi_2020_: u32;
+    var phi_2043_: u32;
+    var phi_2061_: u32;
+    var phi_2079_: u32;
+    var phi_1633_: u32;
+    var phi_1648_: u32;
+    var phi_1658_: u32;
+    var phi_1679_: u32;
+    var phi_1700_: u32;
+    var phi_1730_: u32;
+    var phi_1745_: u32;
+    var phi_1755_: u32;
+    var phi_1776_: u32;
+    var phi_1797_: u32;
+    var phi_1827_: u32;
+    var phi_1842_: u32;
+    var phi_1852_: u32;
+    var phi_1873_: u32;
+    var phi_1894_: u32;
+    var phi_1486_: u32;
+    var phi_1535_: u32;
+    var phi_1584_: u32;
+    var phi_2085_: array<array<f32, 3>, 3>;
+    var phi_2237_: bool;
+    var phi_2266_: bool;
+    var phi_2685_: f32;
+    var phi_2686_: f32;
+    var phi_2687_: f32;
+    var phi_2688_: f32;
+    var phi_2689_: vec3<f32>;
+    var phi_2690_: vec3<f32>;
+    var phi_2691_: vec3<f32>;
+    var phi_2692_: vec3<f32>;
+    var phi_2729_: bool;
+    var phi_2738_: vec3<f32>;
+    var phi_2903_: f32;
+    var phi_2905_: f32;
     var phi_2906_: bool;
-    var phi_2913_: type_38;
-    var phi_2914_: type_38;
-    var phi_2915_: type_38;
-    var phi_1301_: type_38;
-    var phi_4641_: bool;
-    var phi_4852_: bool;
-    var phi_4158_: type_38;
-    var phi_4159_: type_49;
-    var phi_4160_: bool;
-    var phi_4161_: u32;
-    var phi_4851_: bool;
-    var phi_4162_: type_38;
-    var phi_4163_: type_49;
-    var phi_4164_: u32;
-    var phi_4165_: bool;
-    var phi_4166_: u32;
-    var phi_4850_: bool;
-    var phi_4167_: type_38;
-    var phi_4168_: type_49;
-    var phi_4169_: u32;
-    var phi_4170_: bool;
-    var phi_4171_: u32;
-    var phi_4849_: bool;
-    var phi_1174_: type_38;
-    var phi_1177_: type_49;
-    var phi_1179_: u32;
-    var phi_1181_: bool;
-    var phi_1183_: u32;
-    var phi_4172_: bool;
-    var phi_4848_: bool;
+    var phi_2926_: f32;
+    var phi_2927_: f32;
+    var phi_2950_: type_18;
+    var phi_2952_: type_18;
+    var phi_2953_: bool;
+    var phi_2957_: type_18;
+    var phi_2958_: type_18;
+    var phi_2959_: type_18;
+    var phi_2960_: bool;
+    var phi_2964_: type_18;
+    var phi_2965_: bool;
+    var phi_2966_: type_18;
+    var phi_2967_: bool;
+    var phi_2968_: bool;
+    var phi_2969_: type_18;
+    var phi_2970_: bool;
+    var phi_2971_: bool;
+    var phi_2979_: type_18;
+    var phi_2980_: bool;
+    var phi_2984_: type_18;
+    var phi_3009_: bool;
+    var phi_3010_: bool;
+    var phi_3017_: type_38;
+    var phi_3018_: type_38;
+    var phi_3019_: type_38;
+    var phi_1319_: type_38;
+    var phi_4777_: bool;
+    var phi_4988_: bool;
+    var phi_4294_: type_38;
+    var phi_4295_: bool;
+    var phi_4296_: u32;
+    var phi_4297_: type_49;
+    var phi_4987_: bool;
+    var phi_4298_: type_38;
+    var phi_4299_: bool;
+    var phi_4300_: u32;
+    var phi_4301_: u32;
+    var phi_4302_: type_49;
+    var phi_4986_: bool;
+    var phi_4303_: type_38;
+    var phi_4304_: bool;
+    var phi_4305_: u32;
+    var phi_4306_: u32;
+    var phi_4307_: type_49;
+    var phi_4985_: bool;
+    var phi_1192_: type_38;
+    var phi_1195_: bool;
+    var phi_1197_: u32;
+    var phi_1199_: u32;
+    var phi_1201_: type_49;
+    var phi_4308_: bool;
+    var phi_4984_: bool;
     var local_10: type_38;
-    var phi_4210_: f32;
-    var phi_4212_: f32;
-    var phi_4213_: bool;
-    var phi_4214_: f32;
-    var phi_4215_: bool;
-    var phi_4549_: u32;
-    var phi_4567_: bool;
-    var phi_4570_: bool;
-    var phi_4583_: f32;
-    var phi_4584_: f32;
-    var phi_4589_: f32;
-    var phi_4590_: f32;
-    var phi_4591_: bool;
-    var phi_4599_: f32;
-    var phi_4230_: f32;
-    var phi_4231_: f32;
-    var phi_4243_: f32;
-    var phi_4248_: type_18;
+    var phi_4346_: f32;
+    var phi_4348_: f32;
+    var phi_4349_: bool;
+    var phi_4350_: f32;
+    var phi_4351_: bool;
+    var phi_4685_: u32;
+    var phi_4703_: bool;
+    var phi_4706_: bool;
+    var phi_4719_: f32;
+    var phi_4720_: f32;
+    var phi_4725_: f32;
+    var phi_4726_: f32;
+    var phi_4727_: bool;
+    var phi_4735_: f32;
+    var phi_4366_: f32;
+    var phi_4367_: f32;
+    var phi_4379_: f32;
+    var phi_4384_: type_18;
     var local_11: type_38;
     var local_12: type_38;
 
@@ -348,203 +348,203 @@ fn function_() {
                         if _e240 {
                             let _e243 = (bitcast<u32>(bitcast<f32>(_e213)) & 2147483647u);
                             if (_e243 >= 8388608u) {
-                                phi_486_ = (bitcast<i32>((_e243 >> bitcast<u32>(23i))) - 127i);
+                                phi_493_ = (bitcast<i32>((_e243 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_486_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e243)), 32u, (_e243 == 0u))));
+                                phi_493_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e243)), 32u, (_e243 == 0u))));
                             }
-                            let _e257 = phi_486_;
-                            phi_487_ = _e257;
+                            let _e257 = phi_493_;
+                            phi_494_ = _e257;
                         } else {
-                            phi_487_ = 0i;
+                            phi_494_ = 0i;
                         }
-                        let _e259 = phi_487_;
+                        let _e259 = phi_494_;
                         let _e260 = (_e169 == _e213);
                         if _e260 {
-                            phi_497_ = true;
+                            phi_504_ = true;
                         } else {
-                            phi_497_ = (_e177 == _e213);
+                            phi_504_ = (_e177 == _e213);
                         }
-                        let _e263 = phi_497_;
+                        let _e263 = phi_504_;
                         let _e264 = select(1u, 0u, _e260);
                         if _e263 {
                             let _e265 = (_e264 + 1u);
-                            phi_507_ = _e265;
-                            phi_508_ = _e265;
-                            phi_510_ = select(true, false, (_e265 == 2u));
+                            phi_514_ = _e265;
+                            phi_515_ = _e265;
+                            phi_517_ = select(true, false, (_e265 == 2u));
                         } else {
-                            phi_507_ = u32();
-                            phi_508_ = 0u;
-                            phi_510_ = true;
-                        }
-                        let _e269 = phi_507_;
-                        let _e271 = phi_508_;
-                        let _e273 = phi_510_;
-                        if _e273 {
-                            phi_515_ = (_e271 + 1u);
-                        } else {
+                            phi_514_ = u32();
                             phi_515_ = 0u;
+                            phi_517_ = true;
                         }
-                        let _e277 = phi_515_;
+                        let _e269 = phi_514_;
+                        let _e271 = phi_515_;
+                        let _e273 = phi_517_;
+                        if _e273 {
+                            phi_522_ = (_e271 + 1u);
+                        } else {
+                            phi_522_ = 0u;
+                        }
+                        let _e277 = phi_522_;
                         let _e278 = select(_e269, _e271, _e273);
                         let _e279 = select(_e264, select(2u, _e264, _e263), _e273);
                         let _e280 = -(_e259);
                         if (_e280 < -126i) {
-                            phi_547_ = -126i;
+                            phi_555_ = -126i;
                         } else {
-                            phi_547_ = select(_e280, 127i, (_e280 > 127i));
+                            phi_555_ = select(_e280, 127i, (_e280 > 127i));
                         }
-                        let _e285 = phi_547_;
+                        let _e285 = phi_555_;
                         let _e290 = bitcast<f32>((bitcast<u32>((_e285 + 127i)) << bitcast<u32>(23i)));
                         let _e296 = bitcast<f32>((bitcast<u32>(((_e280 - _e285) + 127i)) << bitcast<u32>(23i)));
                         let _e301 = global_3.member[_e140].member.member;
                         let _e302 = (_e278 == 0u);
                         if _e302 {
-                            phi_565_ = _e301[0];
+                            phi_573_ = _e301[0];
                         } else {
-                            phi_565_ = _e301[1];
+                            phi_573_ = _e301[1];
                         }
-                        let _e306 = phi_565_;
+                        let _e306 = phi_573_;
                         let _e307 = (_e278 == 2u);
                         if _e307 {
-                            phi_571_ = _e301[2];
+                            phi_579_ = _e301[2];
                         } else {
-                            phi_571_ = _e306;
+                            phi_579_ = _e306;
                         }
-                        let _e310 = phi_571_;
+                        let _e310 = phi_579_;
                         let _e311 = bitcast<u32>(_e310);
                         let _e313 = ((_e311 & 2139095040u) != 0u);
                         let _e325 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e311 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e311 & 2147483648u))), _e310, _e313) * select(0.00000011920929f, 1f, _e313));
                         let _e326 = global_3.member[_e140].member.member_2;
                         if _e302 {
-                            phi_611_ = _e326[0];
+                            phi_619_ = _e326[0];
                         } else {
-                            phi_611_ = _e326[1];
+                            phi_619_ = _e326[1];
                         }
-                        let _e330 = phi_611_;
+                        let _e330 = phi_619_;
                         if _e307 {
-                            phi_617_ = _e326[2];
+                            phi_625_ = _e326[2];
                         } else {
-                            phi_617_ = _e330;
+                            phi_625_ = _e330;
                         }
-                        let _e333 = phi_617_;
+                        let _e333 = phi_625_;
                         let _e334 = bitcast<u32>(_e333);
                         let _e336 = ((_e334 & 2139095040u) != 0u);
                         let _e350 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e334 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e334 & 2147483648u))), _e333, _e336) * _e290) * select(0.00000011920929f, 1f, _e336)) * _e296);
                         let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e354 {
                             let _e358 = (bitcast<f32>((bitcast<u32>(_e325) & 2147483647u)) * 0.00000011920929f);
-                            phi_669_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                            phi_677_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
                         } else {
-                            phi_669_ = 0f;
+                            phi_677_ = 0f;
                         }
-                        let _e362 = phi_669_;
+                        let _e362 = phi_677_;
                         let _e363 = (_e325 + _e362);
                         let _e364 = (_e325 - _e362);
                         let _e365 = select(_e350, 0f, _e354);
                         if _e354 {
-                            phi_680_ = 38685626000000000000000000f;
+                            phi_689_ = 38685626000000000000000000f;
                         } else {
-                            phi_680_ = (1f / _e350);
+                            phi_689_ = (1f / _e350);
                         }
-                        let _e368 = phi_680_;
+                        let _e368 = phi_689_;
                         let _e369 = (_e277 == 0u);
                         if _e369 {
-                            phi_689_ = _e301[0];
+                            phi_698_ = _e301[0];
                         } else {
-                            phi_689_ = _e301[1];
+                            phi_698_ = _e301[1];
                         }
-                        let _e373 = phi_689_;
+                        let _e373 = phi_698_;
                         let _e374 = (_e277 == 2u);
                         if _e374 {
-                            phi_695_ = _e301[2];
+                            phi_704_ = _e301[2];
                         } else {
-                            phi_695_ = _e373;
+                            phi_704_ = _e373;
                         }
-                        let _e377 = phi_695_;
+                        let _e377 = phi_704_;
                         let _e378 = bitcast<u32>(_e377);
                         let _e380 = ((_e378 & 2139095040u) != 0u);
                         let _e392 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e377, _e380) * select(0.00000011920929f, 1f, _e380));
                         if _e369 {
-                            phi_735_ = _e326[0];
+                            phi_744_ = _e326[0];
                         } else {
-                            phi_735_ = _e326[1];
+                            phi_744_ = _e326[1];
                         }
-                        let _e396 = phi_735_;
+                        let _e396 = phi_744_;
                         if _e374 {
-                            phi_741_ = _e326[2];
+                            phi_750_ = _e326[2];
                         } else {
-                            phi_741_ = _e396;
+                            phi_750_ = _e396;
                         }
-                        let _e399 = phi_741_;
+                        let _e399 = phi_750_;
                         let _e400 = bitcast<u32>(_e399);
                         let _e402 = ((_e400 & 2139095040u) != 0u);
                         let _e416 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e400 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e400 & 2147483648u))), _e399, _e402) * _e290) * select(0.00000011920929f, 1f, _e402)) * _e296);
                         let _e420 = (bitcast<f32>((bitcast<u32>(_e416) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e420 {
                             let _e424 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) * 0.00000011920929f);
-                            phi_793_ = select(0.00000000000011368684f, _e424, (_e424 > 0.00000000000011368684f));
+                            phi_802_ = select(0.00000000000011368684f, _e424, (_e424 > 0.00000000000011368684f));
                         } else {
-                            phi_793_ = 0f;
+                            phi_802_ = 0f;
                         }
-                        let _e428 = phi_793_;
+                        let _e428 = phi_802_;
                         let _e429 = (_e392 + _e428);
                         let _e430 = (_e392 - _e428);
                         let _e431 = select(_e416, 0f, _e420);
                         if _e420 {
-                            phi_804_ = 38685626000000000000000000f;
+                            phi_814_ = 38685626000000000000000000f;
                         } else {
-                            phi_804_ = (1f / _e416);
+                            phi_814_ = (1f / _e416);
                         }
-                        let _e434 = phi_804_;
+                        let _e434 = phi_814_;
                         let _e435 = (_e279 == 0u);
                         if _e435 {
-                            phi_813_ = _e301[0];
+                            phi_823_ = _e301[0];
                         } else {
-                            phi_813_ = _e301[1];
+                            phi_823_ = _e301[1];
                         }
-                        let _e439 = phi_813_;
+                        let _e439 = phi_823_;
                         let _e440 = (_e279 == 2u);
                         if _e440 {
-                            phi_819_ = _e301[2];
+                            phi_829_ = _e301[2];
                         } else {
-                            phi_819_ = _e439;
+                            phi_829_ = _e439;
                         }
-                        let _e443 = phi_819_;
+                        let _e443 = phi_829_;
                         let _e444 = bitcast<u32>(_e443);
                         let _e446 = ((_e444 & 2139095040u) != 0u);
                         let _e458 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e444 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e444 & 2147483648u))), _e443, _e446) * select(0.00000011920929f, 1f, _e446));
                         if _e435 {
-                            phi_859_ = _e326[0];
+                            phi_869_ = _e326[0];
                         } else {
-                            phi_859_ = _e326[1];
+                            phi_869_ = _e326[1];
                         }
-                        let _e462 = phi_859_;
+                        let _e462 = phi_869_;
                         if _e440 {
-                            phi_865_ = _e326[2];
+                            phi_875_ = _e326[2];
                         } else {
-                            phi_865_ = _e462;
+                            phi_875_ = _e462;
                         }
-                        let _e465 = phi_865_;
+                        let _e465 = phi_875_;
                         let _e466 = bitcast<u32>(_e465);
                         let _e468 = ((_e466 & 2139095040u) != 0u);
                         let _e482 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e466 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e466 & 2147483648u))), _e465, _e468) * _e290) * select(0.00000011920929f, 1f, _e468)) * _e296);
                         let _e486 = (bitcast<f32>((bitcast<u32>(_e482) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e486 {
                             let _e490 = (bitcast<f32>((bitcast<u32>(_e458) & 2147483647u)) * 0.00000011920929f);
-                            phi_917_ = select(0.00000000000011368684f, _e490, (_e490 > 0.00000000000011368684f));
+                            phi_927_ = select(0.00000000000011368684f, _e490, (_e490 > 0.00000000000011368684f));
                         } else {
-                            phi_917_ = 0f;
+                            phi_927_ = 0f;
                         }
-                        let _e494 = phi_917_;
+                        let _e494 = phi_927_;
                         let _e495 = (_e458 + _e494);
                         let _e496 = (_e458 - _e494);
                         let _e497 = select(_e482, 0f, _e486);
                         if _e486 {
-                            phi_928_ = 38685626000000000000000000f;
+                            phi_939_ = 38685626000000000000000000f;
                         } else {
-                            phi_928_ = (1f / _e482);
+                            phi_939_ = (1f / _e482);
                         }
-                        let _e500 = phi_928_;
+                        let _e500 = phi_939_;
                         let _e503 = bitcast<f32>((bitcast<u32>(_e325) & 2147483647u));
                         let _e506 = bitcast<f32>((bitcast<u32>(_e392) & 2147483647u));
                         let _e508 = select(_e506, _e503, (_e503 > _e506));
@@ -555,55 +555,55 @@ fn function_() {
                             let _e530 = (_e523 == 0u);
                             let _e533 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e523)), 32u, _e530)) - 8i);
                             if (_e526 == 255i) {
-                                phi_983_ = 255i;
+                                phi_994_ = 255i;
                             } else {
-                                phi_983_ = (((_e526 + select(0i, 1i, (_e526 == 0i))) - _e533) + _e259);
+                                phi_994_ = (((_e526 + select(0i, 1i, (_e526 == 0i))) - _e533) + _e259);
                             }
-                            let _e541 = phi_983_;
+                            let _e541 = phi_994_;
                             let _e551 = (_e541 <= 0i);
                             if _e551 {
-                                phi_1006_ = u32();
+                                phi_1017_ = u32();
                             } else {
                                 if _e530 {
-                                    phi_1005_ = u32();
+                                    phi_1016_ = u32();
                                 } else {
-                                    phi_1005_ = select(((bitcast<u32>(_e541) << bitcast<u32>(23i)) | ((_e523 << bitcast<u32>(((_e533 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e541 >= 255i));
+                                    phi_1016_ = select(((bitcast<u32>(_e541) << bitcast<u32>(23i)) | ((_e523 << bitcast<u32>(((_e533 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e541 >= 255i));
                                 }
-                                let _e555 = phi_1005_;
-                                phi_1006_ = _e555;
+                                let _e555 = phi_1016_;
+                                phi_1017_ = _e555;
                             }
-                            let _e557 = phi_1006_;
+                            let _e557 = phi_1017_;
                             let _e569 = ((_e236 & 8388607u) | (select(0u, 1u, ((_e236 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e572 = bitcast<i32>((_e236 >> bitcast<u32>(23i)));
                             let _e576 = (_e569 == 0u);
                             let _e579 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e569)), 32u, _e576)) - 8i);
                             if (_e572 == 255i) {
-                                phi_1043_ = 255i;
+                                phi_1054_ = 255i;
                             } else {
-                                phi_1043_ = (((_e572 + select(0i, 1i, (_e572 == 0i))) - _e579) + _e259);
+                                phi_1054_ = (((_e572 + select(0i, 1i, (_e572 == 0i))) - _e579) + _e259);
                             }
-                            let _e587 = phi_1043_;
+                            let _e587 = phi_1054_;
                             let _e597 = (_e587 <= 0i);
                             if _e597 {
-                                phi_1066_ = u32();
+                                phi_1077_ = u32();
                             } else {
                                 if _e576 {
-                                    phi_1065_ = u32();
+                                    phi_1076_ = u32();
                                 } else {
-                                    phi_1065_ = select(((bitcast<u32>(_e587) << bitcast<u32>(23i)) | ((_e569 << bitcast<u32>(((_e579 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e587 >= 255i));
+                                    phi_1076_ = select(((bitcast<u32>(_e587) << bitcast<u32>(23i)) | ((_e569 << bitcast<u32>(((_e579 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e587 >= 255i));
                                 }
-                                let _e601 = phi_1065_;
-                                phi_1066_ = _e601;
+                                let _e601 = phi_1076_;
+                                phi_1077_ = _e601;
                             }
-                            let _e603 = phi_1066_;
-                            phi_1074_ = bitcast<f32>(((_e235 & 2147483648u) | select(_e603, 0u, select(_e576, true, _e597))));
-                            phi_1075_ = bitcast<f32>(((_e225 & 2147483648u) | select(_e557, 0u, select(_e530, true, _e551))));
+                            let _e603 = phi_1077_;
+                            phi_1085_ = bitcast<f32>(((_e235 & 2147483648u) | select(_e603, 0u, select(_e576, true, _e597))));
+                            phi_1086_ = bitcast<f32>(((_e225 & 2147483648u) | select(_e557, 0u, select(_e530, true, _e551))));
                         } else {
-                            phi_1074_ = 0f;
-                            phi_1075_ = 1f;
+                            phi_1085_ = 0f;
+                            phi_1086_ = 1f;
                         }
-                        let _e609 = phi_1074_;
-                        let _e611 = phi_1075_;
+                        let _e609 = phi_1085_;
+                        let _e611 = phi_1086_;
                         if _e155 {
                         } else {
                             break;
@@ -653,203 +653,203 @@ fn function_() {
                             break;
                         }
                         let _e648 = local[_e632];
-                        phi_4647_ = false;
-                        phi_1173_ = type_38(type_34(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e609), 0u, 0u);
-                        phi_1176_ = type_49(type_30(vec4<f32>((f32(_e623) * _e152), (f32(_e629) * _e152), (f32(_e635) * _e152), 0f), vec4<f32>((f32(_e640) * _e152), (f32(_e644) * _e152), (f32(_e648) * _e152), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
-                        phi_1178_ = ((3u * _e97) + 1u);
-                        phi_1180_ = (_e611 <= _e609);
-                        phi_1182_ = 0u;
+                        phi_4783_ = false;
+                        phi_1191_ = type_38(type_35(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e609), 0u, 0u);
+                        phi_1194_ = (_e611 <= _e609);
+                        phi_1196_ = ((3u * _e97) + 1u);
+                        phi_1198_ = 0u;
+                        phi_1200_ = type_49(type_30(vec4<f32>((f32(_e623) * _e152), (f32(_e629) * _e152), (f32(_e635) * _e152), 0f), vec4<f32>((f32(_e640) * _e152), (f32(_e644) * _e152), (f32(_e648) * _e152), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
                         loop {
-                            let _e658 = phi_4647_;
-                            let _e660 = phi_1173_;
-                            let _e662 = phi_1176_;
-                            let _e664 = phi_1178_;
-                            let _e666 = phi_1180_;
-                            let _e668 = phi_1182_;
+                            let _e658 = phi_4783_;
+                            let _e660 = phi_1191_;
+                            let _e662 = phi_1194_;
+                            let _e664 = phi_1196_;
+                            let _e666 = phi_1198_;
+                            let _e668 = phi_1200_;
                             local_10 = _e660;
                             local_11 = _e660;
-                            if _e666 {
-                                phi_1193_ = true;
+                            if _e662 {
+                                phi_1211_ = true;
                             } else {
-                                phi_1193_ = (_e668 > 0u);
+                                phi_1211_ = (_e666 > 0u);
                             }
-                            let _e671 = phi_1193_;
+                            let _e671 = phi_1211_;
                             if _e671 {
                                 let _e672 = (_e664 > 0u);
                                 if _e672 {
-                                    if _e666 {
-                                        phi_1279_ = _e662;
-                                        phi_1280_ = _e666;
-                                        phi_1281_ = _e668;
+                                    if _e662 {
+                                        phi_1297_ = _e662;
+                                        phi_1298_ = _e666;
+                                        phi_1299_ = _e668;
                                     } else {
-                                        let _e673 = (_e668 - 1u);
+                                        let _e673 = (_e666 - 1u);
                                         let _e674 = (_e673 % 128u);
                                         let _e675 = (_e674 < 128u);
                                         if _e675 {
                                         } else {
-                                            phi_4848_ = true;
+                                            phi_4984_ = true;
                                             break;
                                         }
                                         let _e677 = local_7[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4848_ = true;
+                                            phi_4984_ = true;
                                             break;
                                         }
                                         let _e679 = local_6[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4848_ = true;
+                                            phi_4984_ = true;
                                             break;
                                         }
                                         let _e681 = local_5[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4848_ = true;
+                                            phi_4984_ = true;
                                             break;
                                         }
                                         let _e683 = local_4[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4848_ = true;
+                                            phi_4984_ = true;
                                             break;
                                         }
                                         let _e685 = local_3[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4848_ = true;
+                                            phi_4984_ = true;
                                             break;
                                         }
                                         let _e687 = local_2[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4848_ = true;
+                                            phi_4984_ = true;
                                             break;
                                         }
                                         let _e692 = local_8[_e674];
                                         if _e675 {
                                         } else {
-                                            phi_4848_ = true;
+                                            phi_4984_ = true;
                                             break;
                                         }
                                         let _e695 = local_9[_e674];
-                                        phi_1279_ = type_49(type_30(vec4<f32>(_e677, _e679, _e681, 0f), vec4<f32>(_e683, _e685, _e687, 0f)), _e692);
-                                        phi_1280_ = (_e695 <= _e660.member.member_1);
-                                        phi_1281_ = _e673;
+                                        phi_1297_ = (_e695 <= _e660.member.member_1);
+                                        phi_1298_ = _e673;
+                                        phi_1299_ = type_49(type_30(vec4<f32>(_e677, _e679, _e681, 0f), vec4<f32>(_e683, _e685, _e687, 0f)), _e692);
                                     }
-                                    let _e700 = phi_1279_;
-                                    let _e702 = phi_1280_;
-                                    let _e704 = phi_1281_;
-                                    if _e702 {
-                                        let _e709 = (_e700.member_1 & 268435455u);
-                                        if ((_e700.member_1 & 2147483648u) != 0u) {
-                                            phi_1300_ = _e660;
-                                            phi_1303_ = type_8(0u, ((_e700.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e700 = phi_1297_;
+                                    let _e702 = phi_1298_;
+                                    let _e704 = phi_1299_;
+                                    if _e700 {
+                                        let _e709 = (_e704.member_1 & 268435455u);
+                                        if ((_e704.member_1 & 2147483648u) != 0u) {
+                                            phi_1318_ = _e660;
+                                            phi_1321_ = type_8(0u, ((_e704.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1200 = phi_1300_;
-                                                let _e1202 = phi_1303_;
+                                                let _e1200 = phi_1318_;
+                                                let _e1202 = phi_1321_;
                                                 local_12 = _e1200;
                                                 if (_e1202.member < _e1202.member_1) {
-                                                    phi_1304_ = type_8((_e1202.member + 1u), _e1202.member_1);
-                                                    phi_1326_ = type_8(1u, _e1202.member);
+                                                    phi_1322_ = type_8((_e1202.member + 1u), _e1202.member_1);
+                                                    phi_1344_ = type_8(1u, _e1202.member);
                                                 } else {
-                                                    phi_1304_ = _e1202;
-                                                    phi_1326_ = type_8(0u, type_8().member_1);
+                                                    phi_1322_ = _e1202;
+                                                    phi_1344_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1215 = phi_1304_;
-                                                let _e1217 = phi_1326_;
+                                                let _e1215 = phi_1322_;
+                                                let _e1217 = phi_1344_;
                                                 let _e1221 = (bitcast<i32>(_e1217.member) != 0i);
                                                 if _e1221 {
                                                     let _e1227 = type_38(_e1200.member, _e1200.member_1, (_e1200.member_2 + 1u));
-                                                    let _e1232 = (_e700.member.member_1.x - _e700.member.member.x);
-                                                    let _e1235 = (_e700.member.member_1.y - _e700.member.member.y);
-                                                    let _e1238 = (_e700.member.member_1.z - _e700.member.member.z);
+                                                    let _e1232 = (_e704.member.member_1.x - _e704.member.member.x);
+                                                    let _e1235 = (_e704.member.member_1.y - _e704.member.member.y);
+                                                    let _e1238 = (_e704.member.member_1.z - _e704.member.member.z);
                                                     let _e1240 = select(_e1235, _e1232, (_e1232 > _e1235));
                                                     let _e1242 = select(_e1238, _e1240, (_e1240 > _e1238));
                                                     let _e1244 = (_e1242 < (1024f * _e152));
                                                     if _e1244 {
-                                                        phi_1370_ = 0u;
+                                                        phi_1388_ = 0u;
                                                     } else {
-                                                        phi_1370_ = select(2u, 1u, (_e1242 < (2097152f * _e152)));
+                                                        phi_1388_ = select(2u, 1u, (_e1242 < (2097152f * _e152)));
                                                     }
-                                                    let _e1249 = phi_1370_;
+                                                    let _e1249 = phi_1388_;
                                                     switch bitcast<i32>(_e1249) {
                                                         case 0: {
-                                                            phi_1376_ = 1u;
+                                                            phi_1394_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1376_ = 2u;
+                                                            phi_1394_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1376_ = 3u;
+                                                            phi_1394_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1376_ = u32();
+                                                            phi_1394_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1252 = phi_1376_;
+                                                    let _e1252 = phi_1394_;
                                                     switch bitcast<i32>(_e1249) {
                                                         case 0: {
-                                                            phi_1386_ = 1u;
+                                                            phi_1404_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1386_ = 2u;
+                                                            phi_1404_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1386_ = 3u;
+                                                            phi_1404_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1386_ = u32();
+                                                            phi_1404_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1259 = phi_1386_;
+                                                    let _e1259 = phi_1404_;
                                                     let _e1261 = ((_e709 + (_e1217.member_1 * ((3u * _e1252) + 1u))) + (3u * _e1259));
                                                     let _e1262 = (_e1261 < _e100);
                                                     if _e1262 {
                                                         if _e1262 {
                                                         } else {
-                                                            phi_4641_ = true;
+                                                            phi_4777_ = true;
                                                             break;
                                                         }
                                                         let _e1264 = global_7.member[_e1261];
-                                                        phi_1402_ = _e1264;
+                                                        phi_1420_ = _e1264;
                                                     } else {
-                                                        phi_1402_ = 4294967295u;
+                                                        phi_1420_ = 4294967295u;
                                                     }
-                                                    let _e1266 = phi_1402_;
+                                                    let _e1266 = phi_1420_;
                                                     if _e1244 {
-                                                        phi_1435_ = 0u;
+                                                        phi_1453_ = 0u;
                                                     } else {
-                                                        phi_1435_ = select(2u, 1u, (_e1242 < (2097152f * _e152)));
+                                                        phi_1453_ = select(2u, 1u, (_e1242 < (2097152f * _e152)));
                                                     }
-                                                    let _e1271 = phi_1435_;
+                                                    let _e1271 = phi_1453_;
                                                     switch bitcast<i32>(_e1271) {
                                                         case 0: {
-                                                            phi_1441_ = 1u;
+                                                            phi_1459_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1441_ = 2u;
+                                                            phi_1459_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1441_ = 3u;
+                                                            phi_1459_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1441_ = u32();
+                                                            phi_1459_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1274 = phi_1441_;
+                                                    let _e1274 = phi_1459_;
                                                     let _e1278 = (_e709 + (_e1217.member_1 * ((3u * _e1274) + 1u)));
                                                     switch bitcast<i32>(_e1271) {
                                                         case 0: {
@@ -857,15 +857,15 @@ fn function_() {
                                                             if _e1553 {
                                                                 if _e1553 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1555 = global_7.member[_e1278];
-                                                                phi_1465_ = _e1555;
+                                                                phi_1486_ = _e1555;
                                                             } else {
-                                                                phi_1465_ = 0u;
+                                                                phi_1486_ = 0u;
                                                             }
-                                                            let _e1557 = phi_1465_;
+                                                            let _e1557 = phi_1486_;
                                                             let _e1559 = ((10u * _e278) & 31u);
                                                             let _e1569 = ((10u * _e277) & 31u);
                                                             let _e1579 = ((10u * _e279) & 31u);
@@ -874,30 +874,30 @@ fn function_() {
                                                             if _e1590 {
                                                                 if _e1590 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1592 = global_7.member[_e1589];
-                                                                phi_1511_ = _e1592;
+                                                                phi_1535_ = _e1592;
                                                             } else {
-                                                                phi_1511_ = 0u;
+                                                                phi_1535_ = 0u;
                                                             }
-                                                            let _e1594 = phi_1511_;
+                                                            let _e1594 = phi_1535_;
                                                             let _e1620 = (_e1278 + 2u);
                                                             let _e1621 = (_e1620 < _e100);
                                                             if _e1621 {
                                                                 if _e1621 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1623 = global_7.member[_e1620];
-                                                                phi_1557_ = _e1623;
+                                                                phi_1584_ = _e1623;
                                                             } else {
-                                                                phi_1557_ = 0u;
+                                                                phi_1584_ = 0u;
                                                             }
-                                                            let _e1625 = phi_1557_;
-                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))));
+                                                            let _e1625 = phi_1584_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1557 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1594 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1559)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1569)) & 1023u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | ((_e1625 >> bitcast<u32>(_e1579)) & 1023u))) - 8388608f) * _e152))));
                                                             break;
                                                         }
                                                         case 1: {
@@ -905,143 +905,143 @@ fn function_() {
                                                             if _e1367 {
                                                                 if _e1367 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1369 = global_7.member[_e1278];
-                                                                phi_1603_ = _e1369;
+                                                                phi_1633_ = _e1369;
                                                             } else {
-                                                                phi_1603_ = 0u;
+                                                                phi_1633_ = 0u;
                                                             }
-                                                            let _e1371 = phi_1603_;
+                                                            let _e1371 = phi_1633_;
                                                             let _e1372 = (_e1278 + 1u);
                                                             let _e1373 = (_e1372 < _e100);
                                                             if _e1373 {
                                                                 if _e1373 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1375 = global_7.member[_e1372];
-                                                                phi_1618_ = _e1375;
+                                                                phi_1648_ = _e1375;
                                                             } else {
-                                                                phi_1618_ = 0u;
+                                                                phi_1648_ = 0u;
                                                             }
-                                                            let _e1377 = phi_1618_;
+                                                            let _e1377 = phi_1648_;
                                                             let _e1378 = (_e278 == 1u);
                                                             if _e1378 {
-                                                                phi_1628_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
+                                                                phi_1658_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1628_ = (_e1377 >> bitcast<u32>(10i));
+                                                                phi_1658_ = (_e1377 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1387 = phi_1628_;
+                                                            let _e1387 = phi_1658_;
                                                             let _e1395 = (_e277 == 1u);
                                                             if _e1395 {
-                                                                phi_1649_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
+                                                                phi_1679_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1649_ = (_e1377 >> bitcast<u32>(10i));
+                                                                phi_1679_ = (_e1377 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1404 = phi_1649_;
+                                                            let _e1404 = phi_1679_;
                                                             let _e1412 = (_e279 == 1u);
                                                             if _e1412 {
-                                                                phi_1670_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
+                                                                phi_1700_ = ((_e1371 >> bitcast<u32>(21i)) | (_e1377 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1670_ = (_e1377 >> bitcast<u32>(10i));
+                                                                phi_1700_ = (_e1377 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1421 = phi_1670_;
+                                                            let _e1421 = phi_1700_;
                                                             let _e1430 = (_e1278 + 2u);
                                                             let _e1431 = (_e1430 < _e100);
                                                             if _e1431 {
                                                                 if _e1431 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1433 = global_7.member[_e1430];
-                                                                phi_1697_ = _e1433;
+                                                                phi_1730_ = _e1433;
                                                             } else {
-                                                                phi_1697_ = 0u;
+                                                                phi_1730_ = 0u;
                                                             }
-                                                            let _e1435 = phi_1697_;
+                                                            let _e1435 = phi_1730_;
                                                             let _e1436 = (_e1278 + 3u);
                                                             let _e1437 = (_e1436 < _e100);
                                                             if _e1437 {
                                                                 if _e1437 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1439 = global_7.member[_e1436];
-                                                                phi_1712_ = _e1439;
+                                                                phi_1745_ = _e1439;
                                                             } else {
-                                                                phi_1712_ = 0u;
+                                                                phi_1745_ = 0u;
                                                             }
-                                                            let _e1441 = phi_1712_;
+                                                            let _e1441 = phi_1745_;
                                                             if _e1378 {
-                                                                phi_1722_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
+                                                                phi_1755_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1722_ = (_e1441 >> bitcast<u32>(10i));
+                                                                phi_1755_ = (_e1441 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1450 = phi_1722_;
+                                                            let _e1450 = phi_1755_;
                                                             if _e1395 {
-                                                                phi_1743_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
+                                                                phi_1776_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1743_ = (_e1441 >> bitcast<u32>(10i));
+                                                                phi_1776_ = (_e1441 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1466 = phi_1743_;
+                                                            let _e1466 = phi_1776_;
                                                             if _e1412 {
-                                                                phi_1764_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
+                                                                phi_1797_ = ((_e1435 >> bitcast<u32>(21i)) | (_e1441 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1764_ = (_e1441 >> bitcast<u32>(10i));
+                                                                phi_1797_ = (_e1441 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1482 = phi_1764_;
+                                                            let _e1482 = phi_1797_;
                                                             let _e1491 = (_e1278 + 4u);
                                                             let _e1492 = (_e1491 < _e100);
                                                             if _e1492 {
                                                                 if _e1492 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1494 = global_7.member[_e1491];
-                                                                phi_1791_ = _e1494;
+                                                                phi_1827_ = _e1494;
                                                             } else {
-                                                                phi_1791_ = 0u;
+                                                                phi_1827_ = 0u;
                                                             }
-                                                            let _e1496 = phi_1791_;
+                                                            let _e1496 = phi_1827_;
                                                             let _e1497 = (_e1278 + 5u);
                                                             let _e1498 = (_e1497 < _e100);
                                                             if _e1498 {
                                                                 if _e1498 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1500 = global_7.member[_e1497];
-                                                                phi_1806_ = _e1500;
+                                                                phi_1842_ = _e1500;
                                                             } else {
-                                                                phi_1806_ = 0u;
+                                                                phi_1842_ = 0u;
                                                             }
-                                                            let _e1502 = phi_1806_;
+                                                            let _e1502 = phi_1842_;
                                                             if _e1378 {
-                                                                phi_1816_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                                phi_1852_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1816_ = (_e1502 >> bitcast<u32>(10i));
+                                                                phi_1852_ = (_e1502 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1511 = phi_1816_;
+                                                            let _e1511 = phi_1852_;
                                                             if _e1395 {
-                                                                phi_1837_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                                phi_1873_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1837_ = (_e1502 >> bitcast<u32>(10i));
+                                                                phi_1873_ = (_e1502 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1527 = phi_1837_;
+                                                            let _e1527 = phi_1873_;
                                                             if _e1412 {
-                                                                phi_1858_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
+                                                                phi_1894_ = ((_e1496 >> bitcast<u32>(21i)) | (_e1502 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1858_ = (_e1502 >> bitcast<u32>(10i));
+                                                                phi_1894_ = (_e1502 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1543 = phi_1858_;
-                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1387, _e1371, _e302) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1404, _e1371, _e369) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1421, _e1371, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1450, _e1435, _e302) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1466, _e1435, _e369) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1482, _e1435, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e700.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1511, _e1496, _e302) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1527, _e1496, _e369) & 2097151u))) - 8388608f) * _e152)), (_e700.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1543, _e1496, _e435) & 2097151u))) - 8388608f) * _e152))));
+                                                            let _e1543 = phi_1894_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1387, _e1371, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1404, _e1371, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1421, _e1371, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1450, _e1435, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1466, _e1435, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1482, _e1435, _e435) & 2097151u))) - 8388608f) * _e152))), array<f32, 3>((_e704.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1511, _e1496, _e302) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1527, _e1496, _e369) & 2097151u))) - 8388608f) * _e152)), (_e704.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1543, _e1496, _e435) & 2097151u))) - 8388608f) * _e152))));
                                                             break;
                                                         }
                                                         case 2: {
@@ -1050,138 +1050,138 @@ fn function_() {
                                                             if _e1281 {
                                                                 if _e1281 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1283 = global_7.member[_e1280];
-                                                                phi_1886_ = _e1283;
+                                                                phi_1925_ = _e1283;
                                                             } else {
-                                                                phi_1886_ = 0u;
+                                                                phi_1925_ = 0u;
                                                             }
-                                                            let _e1285 = phi_1886_;
+                                                            let _e1285 = phi_1925_;
                                                             let _e1289 = (_e1278 + _e277);
                                                             let _e1290 = (_e1289 < _e100);
                                                             if _e1290 {
                                                                 if _e1290 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1292 = global_7.member[_e1289];
-                                                                phi_1904_ = _e1292;
+                                                                phi_1943_ = _e1292;
                                                             } else {
-                                                                phi_1904_ = 0u;
+                                                                phi_1943_ = 0u;
                                                             }
-                                                            let _e1294 = phi_1904_;
+                                                            let _e1294 = phi_1943_;
                                                             let _e1298 = (_e1278 + _e279);
                                                             let _e1299 = (_e1298 < _e100);
                                                             if _e1299 {
                                                                 if _e1299 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1301 = global_7.member[_e1298];
-                                                                phi_1922_ = _e1301;
+                                                                phi_1961_ = _e1301;
                                                             } else {
-                                                                phi_1922_ = 0u;
+                                                                phi_1961_ = 0u;
                                                             }
-                                                            let _e1303 = phi_1922_;
+                                                            let _e1303 = phi_1961_;
                                                             let _e1308 = (_e1278 + 3u);
                                                             let _e1309 = (_e1308 + _e278);
                                                             let _e1310 = (_e1309 < _e100);
                                                             if _e1310 {
                                                                 if _e1310 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1312 = global_7.member[_e1309];
-                                                                phi_1942_ = _e1312;
+                                                                phi_1984_ = _e1312;
                                                             } else {
-                                                                phi_1942_ = 0u;
+                                                                phi_1984_ = 0u;
                                                             }
-                                                            let _e1314 = phi_1942_;
+                                                            let _e1314 = phi_1984_;
                                                             let _e1318 = (_e1308 + _e277);
                                                             let _e1319 = (_e1318 < _e100);
                                                             if _e1319 {
                                                                 if _e1319 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1321 = global_7.member[_e1318];
-                                                                phi_1960_ = _e1321;
+                                                                phi_2002_ = _e1321;
                                                             } else {
-                                                                phi_1960_ = 0u;
+                                                                phi_2002_ = 0u;
                                                             }
-                                                            let _e1323 = phi_1960_;
+                                                            let _e1323 = phi_2002_;
                                                             let _e1327 = (_e1308 + _e279);
                                                             let _e1328 = (_e1327 < _e100);
                                                             if _e1328 {
                                                                 if _e1328 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1330 = global_7.member[_e1327];
-                                                                phi_1978_ = _e1330;
+                                                                phi_2020_ = _e1330;
                                                             } else {
-                                                                phi_1978_ = 0u;
+                                                                phi_2020_ = 0u;
                                                             }
-                                                            let _e1332 = phi_1978_;
+                                                            let _e1332 = phi_2020_;
                                                             let _e1337 = (_e1278 + 6u);
                                                             let _e1338 = (_e1337 + _e278);
                                                             let _e1339 = (_e1338 < _e100);
                                                             if _e1339 {
                                                                 if _e1339 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1341 = global_7.member[_e1338];
-                                                                phi_1998_ = _e1341;
+                                                                phi_2043_ = _e1341;
                                                             } else {
-                                                                phi_1998_ = 0u;
+                                                                phi_2043_ = 0u;
                                                             }
-                                                            let _e1343 = phi_1998_;
+                                                            let _e1343 = phi_2043_;
                                                             let _e1347 = (_e1337 + _e277);
                                                             let _e1348 = (_e1347 < _e100);
                                                             if _e1348 {
                                                                 if _e1348 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1350 = global_7.member[_e1347];
-                                                                phi_2016_ = _e1350;
+                                                                phi_2061_ = _e1350;
                                                             } else {
-                                                                phi_2016_ = 0u;
+                                                                phi_2061_ = 0u;
                                                             }
-                                                            let _e1352 = phi_2016_;
+                                                            let _e1352 = phi_2061_;
                                                             let _e1356 = (_e1337 + _e279);
                                                             let _e1357 = (_e1356 < _e100);
                                                             if _e1357 {
                                                                 if _e1357 {
                                                                 } else {
-                                                                    phi_4641_ = true;
+                                                                    phi_4777_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1359 = global_7.member[_e1356];
-                                                                phi_2034_ = _e1359;
+                                                                phi_2079_ = _e1359;
                                                             } else {
-                                                                phi_2034_ = 0u;
+                                                                phi_2079_ = 0u;
                                                             }
-                                                            let _e1361 = phi_2034_;
-                                                            phi_2040_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1285)) * _e152), (f32(bitcast<i32>(_e1294)) * _e152), (f32(bitcast<i32>(_e1303)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e1314)) * _e152), (f32(bitcast<i32>(_e1323)) * _e152), (f32(bitcast<i32>(_e1332)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e1343)) * _e152), (f32(bitcast<i32>(_e1352)) * _e152), (f32(bitcast<i32>(_e1361)) * _e152)));
+                                                            let _e1361 = phi_2079_;
+                                                            phi_2085_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1285)) * _e152), (f32(bitcast<i32>(_e1294)) * _e152), (f32(bitcast<i32>(_e1303)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e1314)) * _e152), (f32(bitcast<i32>(_e1323)) * _e152), (f32(bitcast<i32>(_e1332)) * _e152)), array<f32, 3>((f32(bitcast<i32>(_e1343)) * _e152), (f32(bitcast<i32>(_e1352)) * _e152), (f32(bitcast<i32>(_e1361)) * _e152)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2040_ = array<array<f32, 3>, 3>();
+                                                            phi_2085_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1653 = phi_2040_;
+                                                    let _e1653 = phi_2085_;
                                                     let _e1662 = (_e1653[0][2] - _e458);
                                                     let _e1665 = (((_e1653[0][0] - _e325) * _e497) - (_e1662 * _e365));
                                                     let _e1668 = (((_e1653[0][1] - _e392) * _e497) - (_e1662 * _e431));
@@ -1208,34 +1208,34 @@ fn function_() {
                                                         let _e1724 = select(0f, _e1722, (_e1722 > 0f));
                                                         let _e1726 = ((_e1716 + _e1720) + _e1724);
                                                         if (_e1726 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2865_ = type_18();
-                                                            phi_2866_ = true;
-                                                            phi_2867_ = false;
+                                                            phi_2969_ = type_18();
+                                                            phi_2970_ = true;
+                                                            phi_2971_ = false;
                                                         } else {
                                                             let _e1729 = select(_e1678, _e1665, (_e1665 < _e1678));
                                                             if (select(_e1691, _e1729, (_e1729 < _e1691)) > 0f) {
-                                                                phi_2157_ = true;
+                                                                phi_2237_ = true;
                                                             } else {
                                                                 let _e1734 = select(_e1678, _e1665, (_e1665 > _e1678));
-                                                                phi_2157_ = (select(_e1691, _e1734, (_e1734 > _e1691)) < 0f);
+                                                                phi_2237_ = (select(_e1691, _e1734, (_e1734 > _e1691)) < 0f);
                                                             }
-                                                            let _e1739 = phi_2157_;
+                                                            let _e1739 = phi_2237_;
                                                             if _e1739 {
-                                                                phi_2862_ = type_18();
-                                                                phi_2863_ = true;
-                                                                phi_2864_ = false;
+                                                                phi_2966_ = type_18();
+                                                                phi_2967_ = true;
+                                                                phi_2968_ = false;
                                                             } else {
                                                                 let _e1741 = select(_e1681, _e1668, (_e1668 < _e1681));
                                                                 if (select(_e1694, _e1741, (_e1741 < _e1694)) > 0f) {
-                                                                    phi_2186_ = true;
+                                                                    phi_2266_ = true;
                                                                 } else {
                                                                     let _e1746 = select(_e1681, _e1668, (_e1668 > _e1681));
-                                                                    phi_2186_ = (select(_e1694, _e1746, (_e1746 > _e1694)) < 0f);
+                                                                    phi_2266_ = (select(_e1694, _e1746, (_e1746 > _e1694)) < 0f);
                                                                 }
-                                                                let _e1751 = phi_2186_;
+                                                                let _e1751 = phi_2266_;
                                                                 if _e1751 {
-                                                                    phi_2860_ = type_18();
-                                                                    phi_2861_ = false;
+                                                                    phi_2964_ = type_18();
+                                                                    phi_2965_ = false;
                                                                 } else {
                                                                     let _e1753 = select(_e1653[1][0], _e1653[0][0], (_e1653[0][0] < _e1653[1][0]));
                                                                     let _e1757 = select(_e1653[1][0], _e1653[0][0], (_e1653[0][0] > _e1653[1][0]));
@@ -1262,12 +1262,12 @@ fn function_() {
                                                                     let _e1808 = -(_e1789);
                                                                     let _e1814 = select(_e611, _e1799, (_e1799 > _e611));
                                                                     if (_e1814 > (_e1807 + (select(_e1808, _e1791, (_e1791 > _e1808)) * 0.0000019073523f))) {
-                                                                        phi_2855_ = type_18();
-                                                                        phi_2856_ = true;
+                                                                        phi_2959_ = type_18();
+                                                                        phi_2960_ = true;
                                                                     } else {
                                                                         let _e1816 = (_e1814 > _e1200.member.member_1);
                                                                         if _e1816 {
-                                                                            phi_2854_ = type_18();
+                                                                            phi_2958_ = type_18();
                                                                         } else {
                                                                             let _e1817 = vec3<f32>(_e1653[0][0], _e1653[0][1], _e1653[0][2]);
                                                                             let _e1818 = vec3<f32>(_e1653[1][0], _e1653[1][1], _e1653[1][2]);
@@ -1302,49 +1302,49 @@ fn function_() {
                                                                             let _e1872 = select(_e1857, _e1844, (_e1844 > _e1857));
                                                                             let _e1874 = select(_e1870, _e1872, (_e1872 > _e1870));
                                                                             if (_e1844 == _e1874) {
-                                                                                phi_2587_ = _e1681;
-                                                                                phi_2588_ = _e1678;
-                                                                                phi_2589_ = _e1668;
-                                                                                phi_2590_ = _e1665;
-                                                                                phi_2591_ = _e1817;
-                                                                                phi_2592_ = _e1831;
-                                                                                phi_2593_ = _e1827;
-                                                                                phi_2594_ = _e1823;
+                                                                                phi_2685_ = _e1681;
+                                                                                phi_2686_ = _e1678;
+                                                                                phi_2687_ = _e1668;
+                                                                                phi_2688_ = _e1665;
+                                                                                phi_2689_ = _e1817;
+                                                                                phi_2690_ = _e1831;
+                                                                                phi_2691_ = _e1827;
+                                                                                phi_2692_ = _e1823;
                                                                             } else {
                                                                                 let _e1876 = (_e1857 == _e1874);
                                                                                 let _e1881 = vec3(_e1876);
-                                                                                phi_2587_ = select(_e1668, _e1694, _e1876);
-                                                                                phi_2588_ = select(_e1665, _e1691, _e1876);
-                                                                                phi_2589_ = select(_e1694, _e1681, _e1876);
-                                                                                phi_2590_ = select(_e1691, _e1678, _e1876);
-                                                                                phi_2591_ = select(_e1819, _e1818, _e1881);
-                                                                                phi_2592_ = select(_e1827, _e1823, _e1881);
-                                                                                phi_2593_ = select(_e1823, _e1831, _e1881);
-                                                                                phi_2594_ = select(_e1831, _e1827, _e1881);
+                                                                                phi_2685_ = select(_e1668, _e1694, _e1876);
+                                                                                phi_2686_ = select(_e1665, _e1691, _e1876);
+                                                                                phi_2687_ = select(_e1694, _e1681, _e1876);
+                                                                                phi_2688_ = select(_e1691, _e1678, _e1876);
+                                                                                phi_2689_ = select(_e1819, _e1818, _e1881);
+                                                                                phi_2690_ = select(_e1827, _e1823, _e1881);
+                                                                                phi_2691_ = select(_e1823, _e1831, _e1881);
+                                                                                phi_2692_ = select(_e1831, _e1827, _e1881);
                                                                             }
-                                                                            let _e1887 = phi_2587_;
-                                                                            let _e1889 = phi_2588_;
-                                                                            let _e1891 = phi_2589_;
-                                                                            let _e1893 = phi_2590_;
-                                                                            let _e1895 = phi_2591_;
-                                                                            let _e1897 = phi_2592_;
-                                                                            let _e1899 = phi_2593_;
-                                                                            let _e1901 = phi_2594_;
+                                                                            let _e1887 = phi_2685_;
+                                                                            let _e1889 = phi_2686_;
+                                                                            let _e1891 = phi_2687_;
+                                                                            let _e1893 = phi_2688_;
+                                                                            let _e1895 = phi_2689_;
+                                                                            let _e1897 = phi_2690_;
+                                                                            let _e1899 = phi_2691_;
+                                                                            let _e1901 = phi_2692_;
                                                                             let _e1908 = ((_e1899.y * _e1897.z) - (_e1897.y * _e1899.z));
                                                                             let _e1913 = ((_e1899.z * _e1897.x) - (_e1897.z * _e1899.x));
                                                                             let _e1916 = ((_e1899.x * _e1897.y) - (_e1897.x * _e1899.y));
                                                                             if (_e1716 >= _e1720) {
-                                                                                phi_2625_ = select(true, false, (_e1716 >= _e1724));
+                                                                                phi_2729_ = select(true, false, (_e1716 >= _e1724));
                                                                             } else {
-                                                                                phi_2625_ = true;
+                                                                                phi_2729_ = true;
                                                                             }
-                                                                            let _e1921 = phi_2625_;
+                                                                            let _e1921 = phi_2729_;
                                                                             if _e1921 {
-                                                                                phi_2634_ = select(_e1819, _e1818, vec3((_e1720 >= _e1724)));
+                                                                                phi_2738_ = select(_e1819, _e1818, vec3((_e1720 >= _e1724)));
                                                                             } else {
-                                                                                phi_2634_ = _e1817;
+                                                                                phi_2738_ = _e1817;
                                                                             }
-                                                                            let _e1926 = phi_2634_;
+                                                                            let _e1926 = phi_2738_;
                                                                             let _e1937 = (((_e1908 * (_e1926.x - _e325)) + (_e1913 * (_e1926.y - _e392))) + (_e1916 * (_e1926.z - _e458)));
                                                                             let _e1942 = (((_e1908 * _e365) + (_e1913 * _e431)) + (_e1916 * _e497));
                                                                             let _e1943 = (_e1889 - _e1893);
@@ -1376,337 +1376,337 @@ fn function_() {
                                                                                 let _e2040 = bitcast<f32>((bitcast<u32>(_e1897.z) & 2147483647u));
                                                                                 let _e2044 = (bitcast<f32>((bitcast<u32>(_e1942) & 2147483647u)) > ((0.0000038146973f * select(_e2026, _e2023, (_e2023 > _e2026))) * select(_e2040, _e2037, (_e2037 > _e2040))));
                                                                                 if _e2044 {
-                                                                                    phi_2799_ = (_e1937 / _e1942);
+                                                                                    phi_2903_ = (_e1937 / _e1942);
                                                                                 } else {
-                                                                                    phi_2799_ = f32();
+                                                                                    phi_2903_ = f32();
                                                                                 }
-                                                                                let _e2047 = phi_2799_;
-                                                                                phi_2801_ = _e2047;
-                                                                                phi_2802_ = select(true, false, _e2044);
+                                                                                let _e2047 = phi_2903_;
+                                                                                phi_2905_ = _e2047;
+                                                                                phi_2906_ = select(true, false, _e2044);
                                                                             } else {
-                                                                                phi_2801_ = f32();
-                                                                                phi_2802_ = true;
+                                                                                phi_2905_ = f32();
+                                                                                phi_2906_ = true;
                                                                             }
-                                                                            let _e2050 = phi_2801_;
-                                                                            let _e2052 = phi_2802_;
+                                                                            let _e2050 = phi_2905_;
+                                                                            let _e2052 = phi_2906_;
                                                                             if _e2052 {
                                                                                 let _e2060 = (((_e1908 * (_e1969 - (_e365 * _e1972))) + (_e1913 * (_e1970 - (_e431 * _e1972)))) / _e1942);
                                                                                 if (bitcast<f32>((bitcast<u32>(_e2060) & 2147483647u)) <= _e1874) {
-                                                                                    phi_2822_ = (_e1972 + _e2060);
+                                                                                    phi_2926_ = (_e1972 + _e2060);
                                                                                 } else {
-                                                                                    phi_2822_ = _e1972;
+                                                                                    phi_2926_ = _e1972;
                                                                                 }
-                                                                                let _e2067 = phi_2822_;
-                                                                                phi_2823_ = _e2067;
+                                                                                let _e2067 = phi_2926_;
+                                                                                phi_2927_ = _e2067;
                                                                             } else {
-                                                                                phi_2823_ = _e2050;
+                                                                                phi_2927_ = _e2050;
                                                                             }
-                                                                            let _e2069 = phi_2823_;
+                                                                            let _e2069 = phi_2927_;
                                                                             let _e2071 = select(_e1807, _e2069, (_e2069 < _e1807));
                                                                             let _e2073 = select(_e1799, _e2071, (_e2071 > _e1799));
                                                                             if (_e2073 >= _e611) {
                                                                                 let _e2075 = (_e2073 <= _e1200.member.member_1);
                                                                                 if _e2075 {
                                                                                     let _e2076 = (1f / _e1726);
-                                                                                    phi_2846_ = type_18(_e2073, (_e1720 * _e2076), (_e1724 * _e2076), _e1266);
+                                                                                    phi_2950_ = type_18(_e2073, (_e1720 * _e2076), (_e1724 * _e2076), _e1266);
                                                                                 } else {
-                                                                                    phi_2846_ = type_18();
+                                                                                    phi_2950_ = type_18();
                                                                                 }
-                                                                                let _e2081 = phi_2846_;
-                                                                                phi_2848_ = _e2081;
-                                                                                phi_2849_ = select(true, false, _e2075);
+                                                                                let _e2081 = phi_2950_;
+                                                                                phi_2952_ = _e2081;
+                                                                                phi_2953_ = select(true, false, _e2075);
                                                                             } else {
-                                                                                phi_2848_ = type_18();
-                                                                                phi_2849_ = true;
+                                                                                phi_2952_ = type_18();
+                                                                                phi_2953_ = true;
                                                                             }
-                                                                            let _e2084 = phi_2848_;
-                                                                            let _e2086 = phi_2849_;
+                                                                            let _e2084 = phi_2952_;
+                                                                            let _e2086 = phi_2953_;
                                                                             if _e2086 {
-                                                                                phi_2853_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                                phi_2957_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_2853_ = _e2084;
+                                                                                phi_2957_ = _e2084;
                                                                             }
-                                                                            let _e2088 = phi_2853_;
-                                                                            phi_2854_ = _e2088;
+                                                                            let _e2088 = phi_2957_;
+                                                                            phi_2958_ = _e2088;
                                                                         }
-                                                                        let _e2090 = phi_2854_;
-                                                                        phi_2855_ = _e2090;
-                                                                        phi_2856_ = _e1816;
+                                                                        let _e2090 = phi_2958_;
+                                                                        phi_2959_ = _e2090;
+                                                                        phi_2960_ = _e1816;
                                                                     }
-                                                                    let _e2092 = phi_2855_;
-                                                                    let _e2094 = phi_2856_;
-                                                                    phi_2860_ = _e2092;
-                                                                    phi_2861_ = _e2094;
+                                                                    let _e2092 = phi_2959_;
+                                                                    let _e2094 = phi_2960_;
+                                                                    phi_2964_ = _e2092;
+                                                                    phi_2965_ = _e2094;
                                                                 }
-                                                                let _e2096 = phi_2860_;
-                                                                let _e2098 = phi_2861_;
-                                                                phi_2862_ = _e2096;
-                                                                phi_2863_ = _e1751;
-                                                                phi_2864_ = _e2098;
+                                                                let _e2096 = phi_2964_;
+                                                                let _e2098 = phi_2965_;
+                                                                phi_2966_ = _e2096;
+                                                                phi_2967_ = _e1751;
+                                                                phi_2968_ = _e2098;
                                                             }
-                                                            let _e2100 = phi_2862_;
-                                                            let _e2102 = phi_2863_;
-                                                            let _e2104 = phi_2864_;
-                                                            phi_2865_ = _e2100;
-                                                            phi_2866_ = _e2102;
-                                                            phi_2867_ = _e2104;
+                                                            let _e2100 = phi_2966_;
+                                                            let _e2102 = phi_2967_;
+                                                            let _e2104 = phi_2968_;
+                                                            phi_2969_ = _e2100;
+                                                            phi_2970_ = _e2102;
+                                                            phi_2971_ = _e2104;
                                                         }
-                                                        let _e2106 = phi_2865_;
-                                                        let _e2108 = phi_2866_;
-                                                        let _e2110 = phi_2867_;
-                                                        phi_2875_ = _e2106;
-                                                        phi_2876_ = select(_e2110, true, _e2108);
+                                                        let _e2106 = phi_2969_;
+                                                        let _e2108 = phi_2970_;
+                                                        let _e2110 = phi_2971_;
+                                                        phi_2979_ = _e2106;
+                                                        phi_2980_ = select(_e2110, true, _e2108);
                                                     } else {
-                                                        phi_2875_ = type_18();
-                                                        phi_2876_ = true;
+                                                        phi_2979_ = type_18();
+                                                        phi_2980_ = true;
                                                     }
-                                                    let _e2113 = phi_2875_;
-                                                    let _e2115 = phi_2876_;
+                                                    let _e2113 = phi_2979_;
+                                                    let _e2115 = phi_2980_;
                                                     if _e2115 {
-                                                        phi_2880_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_2984_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2880_ = _e2113;
+                                                        phi_2984_ = _e2113;
                                                     }
-                                                    let _e2117 = phi_2880_;
+                                                    let _e2117 = phi_2984_;
                                                     if (_e2117.member_3 != 4294967295u) {
                                                         if (_e1266 != _e617) {
                                                             if (_e2117.member < _e1200.member.member.member) {
-                                                                phi_2906_ = true;
+                                                                phi_3010_ = true;
                                                             } else {
                                                                 if (_e2117.member == _e1200.member.member.member) {
-                                                                    phi_2905_ = (_e2117.member_3 < _e1200.member.member.member_3);
+                                                                    phi_3009_ = (_e2117.member_3 < _e1200.member.member.member_3);
                                                                 } else {
-                                                                    phi_2905_ = false;
+                                                                    phi_3009_ = false;
                                                                 }
-                                                                let _e2132 = phi_2905_;
-                                                                phi_2906_ = _e2132;
+                                                                let _e2132 = phi_3009_;
+                                                                phi_3010_ = _e2132;
                                                             }
-                                                            let _e2134 = phi_2906_;
+                                                            let _e2134 = phi_3010_;
                                                             if _e2134 {
-                                                                phi_2913_ = type_38(type_34(_e2117, _e2117.member), _e1227.member_1, _e1227.member_2);
+                                                                phi_3017_ = type_38(type_35(_e2117, _e2117.member), _e1227.member_1, _e1227.member_2);
                                                             } else {
-                                                                phi_2913_ = _e1227;
+                                                                phi_3017_ = _e1227;
                                                             }
-                                                            let _e2141 = phi_2913_;
-                                                            phi_2914_ = _e2141;
+                                                            let _e2141 = phi_3017_;
+                                                            phi_3018_ = _e2141;
                                                         } else {
-                                                            phi_2914_ = _e1227;
+                                                            phi_3018_ = _e1227;
                                                         }
-                                                        let _e2143 = phi_2914_;
-                                                        phi_2915_ = _e2143;
+                                                        let _e2143 = phi_3018_;
+                                                        phi_3019_ = _e2143;
                                                     } else {
-                                                        phi_2915_ = _e1227;
+                                                        phi_3019_ = _e1227;
                                                     }
-                                                    let _e2145 = phi_2915_;
-                                                    phi_1301_ = _e2145;
+                                                    let _e2145 = phi_3019_;
+                                                    phi_1319_ = _e2145;
                                                 } else {
-                                                    phi_1301_ = type_38();
+                                                    phi_1319_ = type_38();
                                                 }
-                                                let _e2147 = phi_1301_;
+                                                let _e2147 = phi_1319_;
                                                 continue;
                                                 continuing {
-                                                    phi_1300_ = _e2147;
-                                                    phi_1303_ = _e1215;
-                                                    phi_4641_ = _e658;
+                                                    phi_1318_ = _e2147;
+                                                    phi_1321_ = _e1215;
+                                                    phi_4777_ = _e658;
                                                     break if !(_e1221);
                                                 }
                                             }
-                                            let _e2150 = phi_4641_;
-                                            phi_4848_ = _e2150;
+                                            let _e2150 = phi_4777_;
+                                            phi_4984_ = _e2150;
                                             if _e2150 {
                                                 break;
                                             }
-                                            phi_4852_ = _e2150;
+                                            phi_4988_ = _e2150;
                                             let _e2519 = local_12;
-                                            phi_4158_ = _e2519;
-                                            phi_4159_ = _e700;
-                                            phi_4160_ = false;
-                                            phi_4161_ = _e704;
+                                            phi_4294_ = _e2519;
+                                            phi_4295_ = false;
+                                            phi_4296_ = _e702;
+                                            phi_4297_ = _e704;
                                         } else {
-                                            if (_e700.member_1 >= _e97) {
-                                                phi_3714_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e704.member_1 >= _e97) {
+                                                phi_3825_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e700.member_1 < _e97) {
+                                                if (_e704.member_1 < _e97) {
                                                 } else {
-                                                    phi_4848_ = true;
+                                                    phi_4984_ = true;
                                                     break;
                                                 }
-                                                let _e722 = (_e278 * 2u);
-                                                let _e724 = ((1u + _e722) % 7u);
-                                                if (_e724 < 7u) {
+                                                let _e716 = (_e278 * 2u);
+                                                let _e718 = ((1u + _e716) % 7u);
+                                                if (_e718 < 7u) {
                                                 } else {
-                                                    phi_4848_ = true;
+                                                    phi_4984_ = true;
                                                     break;
                                                 }
-                                                let _e729 = global_6.member[_e700.member_1][_e724];
-                                                let _e731 = ((_e722 + 2u) % 7u);
-                                                if (_e731 < 7u) {
+                                                let _e723 = global_6.member[_e704.member_1][_e718];
+                                                let _e725 = ((_e716 + 2u) % 7u);
+                                                if (_e725 < 7u) {
                                                 } else {
-                                                    phi_4848_ = true;
+                                                    phi_4984_ = true;
                                                     break;
                                                 }
-                                                let _e736 = global_6.member[_e700.member_1][_e731];
-                                                let _e737 = (_e277 * 2u);
-                                                let _e739 = ((1u + _e737) % 7u);
-                                                if (_e739 < 7u) {
+                                                let _e730 = global_6.member[_e704.member_1][_e725];
+                                                let _e731 = (_e277 * 2u);
+                                                let _e733 = ((1u + _e731) % 7u);
+                                                if (_e733 < 7u) {
                                                 } else {
-                                                    phi_4848_ = true;
+                                                    phi_4984_ = true;
                                                     break;
                                                 }
-                                                let _e744 = global_6.member[_e700.member_1][_e739];
-                                                let _e746 = ((_e737 + 2u) % 7u);
-                                                if (_e746 < 7u) {
+                                                let _e738 = global_6.member[_e704.member_1][_e733];
+                                                let _e740 = ((_e731 + 2u) % 7u);
+                                                if (_e740 < 7u) {
                                                 } else {
-                                                    phi_4848_ = true;
+                                                    phi_4984_ = true;
                                                     break;
                                                 }
-                                                let _e751 = global_6.member[_e700.member_1][_e746];
-                                                let _e752 = (_e279 * 2u);
-                                                let _e754 = ((1u + _e752) % 7u);
-                                                if (_e754 < 7u) {
+                                                let _e745 = global_6.member[_e704.member_1][_e740];
+                                                let _e746 = (_e279 * 2u);
+                                                let _e748 = ((1u + _e746) % 7u);
+                                                if (_e748 < 7u) {
                                                 } else {
-                                                    phi_4848_ = true;
+                                                    phi_4984_ = true;
                                                     break;
                                                 }
-                                                let _e759 = global_6.member[_e700.member_1][_e754];
-                                                let _e761 = ((_e752 + 2u) % 7u);
-                                                if (_e761 < 7u) {
+                                                let _e753 = global_6.member[_e704.member_1][_e748];
+                                                let _e755 = ((_e746 + 2u) % 7u);
+                                                if (_e755 < 7u) {
                                                 } else {
-                                                    phi_4848_ = true;
+                                                    phi_4984_ = true;
                                                     break;
                                                 }
-                                                let _e766 = global_6.member[_e700.member_1][_e761];
-                                                let _e789 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.x - _e700.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e790 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.y - _e700.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e791 = (bitcast<f32>((bitcast<u32>((_e700.member.member_1.z - _e700.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e793 = select(_e152, _e789, (_e789 > _e152));
-                                                let _e795 = select(_e152, _e790, (_e790 > _e152));
-                                                let _e797 = select(_e152, _e791, (_e791 > _e152));
-                                                let _e828 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e729 & 2097151u))) - 8388608f) * _e793));
-                                                let _e833 = (bitcast<i32>((_e729 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e836 = bitcast<f32>((_e828 & bitcast<u32>(_e833)));
-                                                let _e837 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e744 & 2097151u))) - 8388608f) * _e795));
-                                                let _e842 = (bitcast<i32>((_e744 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e845 = bitcast<f32>((_e837 & bitcast<u32>(_e842)));
-                                                let _e846 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e759 & 2097151u))) - 8388608f) * _e797));
-                                                let _e851 = (bitcast<i32>((_e759 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e854 = bitcast<f32>((_e846 & bitcast<u32>(_e851)));
-                                                let _e858 = bitcast<f32>((_e828 & bitcast<u32>(~(_e833))));
-                                                let _e862 = bitcast<f32>((_e837 & bitcast<u32>(~(_e842))));
-                                                let _e866 = bitcast<f32>((_e846 & bitcast<u32>(~(_e851))));
-                                                let _e867 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e736 & 2097151u))) - 8388608f) * _e793));
-                                                let _e872 = (bitcast<i32>((_e736 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e875 = bitcast<f32>((_e867 & bitcast<u32>(_e872)));
-                                                let _e876 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e751 & 2097151u))) - 8388608f) * _e795));
-                                                let _e881 = (bitcast<i32>((_e751 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e884 = bitcast<f32>((_e876 & bitcast<u32>(_e881)));
-                                                let _e885 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e766 & 2097151u))) - 8388608f) * _e797));
-                                                let _e890 = (bitcast<i32>((_e766 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e893 = bitcast<f32>((_e885 & bitcast<u32>(_e890)));
-                                                let _e897 = bitcast<f32>((_e867 & bitcast<u32>(~(_e872))));
-                                                let _e901 = bitcast<f32>((_e876 & bitcast<u32>(~(_e881))));
-                                                let _e905 = bitcast<f32>((_e885 & bitcast<u32>(~(_e890))));
-                                                let _e906 = (_e700.member.member.x + _e836);
-                                                let _e907 = (_e700.member.member.y + _e845);
-                                                let _e908 = (_e700.member.member.z + _e854);
-                                                let _e911 = (_e700.member.member_1.x - _e875);
-                                                let _e912 = (_e700.member.member_1.y - _e884);
-                                                let _e913 = (_e700.member.member_1.z - _e893);
-                                                let _e932 = (_e911 - _e906);
-                                                let _e933 = (_e912 - _e907);
-                                                let _e934 = (_e913 - _e908);
-                                                let _e936 = select(_e933, _e932, (_e932 > _e933));
-                                                let _e938 = select(_e934, _e936, (_e936 > _e934));
-                                                if (_e938 < (1024f * _e152)) {
-                                                    phi_3415_ = 0u;
+                                                let _e760 = global_6.member[_e704.member_1][_e755];
+                                                let _e783 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.x - _e704.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e784 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.y - _e704.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e785 = (bitcast<f32>((bitcast<u32>((_e704.member.member_1.z - _e704.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e787 = select(_e152, _e783, (_e783 > _e152));
+                                                let _e789 = select(_e152, _e784, (_e784 > _e152));
+                                                let _e791 = select(_e152, _e785, (_e785 > _e152));
+                                                let _e822 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e723 & 2097151u))) - 8388608f) * _e787));
+                                                let _e827 = (bitcast<i32>((_e723 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e830 = bitcast<f32>((_e822 & bitcast<u32>(_e827)));
+                                                let _e831 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e738 & 2097151u))) - 8388608f) * _e789));
+                                                let _e836 = (bitcast<i32>((_e738 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e839 = bitcast<f32>((_e831 & bitcast<u32>(_e836)));
+                                                let _e840 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e753 & 2097151u))) - 8388608f) * _e791));
+                                                let _e845 = (bitcast<i32>((_e753 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e848 = bitcast<f32>((_e840 & bitcast<u32>(_e845)));
+                                                let _e852 = bitcast<f32>((_e822 & bitcast<u32>(~(_e827))));
+                                                let _e856 = bitcast<f32>((_e831 & bitcast<u32>(~(_e836))));
+                                                let _e860 = bitcast<f32>((_e840 & bitcast<u32>(~(_e845))));
+                                                let _e861 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e730 & 2097151u))) - 8388608f) * _e787));
+                                                let _e866 = (bitcast<i32>((_e730 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e869 = bitcast<f32>((_e861 & bitcast<u32>(_e866)));
+                                                let _e870 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e745 & 2097151u))) - 8388608f) * _e789));
+                                                let _e875 = (bitcast<i32>((_e745 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e878 = bitcast<f32>((_e870 & bitcast<u32>(_e875)));
+                                                let _e879 = bitcast<u32>(((bitcast<f32>((1258291200u | (_e760 & 2097151u))) - 8388608f) * _e791));
+                                                let _e884 = (bitcast<i32>((_e760 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e887 = bitcast<f32>((_e879 & bitcast<u32>(_e884)));
+                                                let _e891 = bitcast<f32>((_e861 & bitcast<u32>(~(_e866))));
+                                                let _e895 = bitcast<f32>((_e870 & bitcast<u32>(~(_e875))));
+                                                let _e899 = bitcast<f32>((_e879 & bitcast<u32>(~(_e884))));
+                                                let _e900 = (_e704.member.member.x + _e830);
+                                                let _e901 = (_e704.member.member.y + _e839);
+                                                let _e902 = (_e704.member.member.z + _e848);
+                                                let _e905 = (_e704.member.member_1.x - _e869);
+                                                let _e906 = (_e704.member.member_1.y - _e878);
+                                                let _e907 = (_e704.member.member_1.z - _e887);
+                                                let _e926 = (_e905 - _e900);
+                                                let _e927 = (_e906 - _e901);
+                                                let _e928 = (_e907 - _e902);
+                                                let _e930 = select(_e927, _e926, (_e926 > _e927));
+                                                let _e932 = select(_e928, _e930, (_e930 > _e928));
+                                                if (_e932 < (1024f * _e152)) {
+                                                    phi_3526_ = 0u;
                                                 } else {
-                                                    phi_3415_ = select(2u, 1u, (_e938 < (2097152f * _e152)));
+                                                    phi_3526_ = select(2u, 1u, (_e932 < (2097152f * _e152)));
                                                 }
-                                                let _e945 = phi_3415_;
-                                                switch bitcast<i32>(_e945) {
+                                                let _e939 = phi_3526_;
+                                                switch bitcast<i32>(_e939) {
                                                     case 0: {
-                                                        phi_3421_ = 1u;
+                                                        phi_3532_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3421_ = 2u;
+                                                        phi_3532_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3421_ = 3u;
+                                                        phi_3532_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3421_ = u32();
+                                                        phi_3532_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e948 = phi_3421_;
-                                                let _e954 = global_6.member[_e700.member_1][0u];
-                                                let _e958 = global_6.member[_e700.member_1][2u];
-                                                let _e962 = global_6.member[_e700.member_1][4u];
-                                                let _e966 = global_6.member[_e700.member_1][6u];
-                                                let _e978 = (((_e958 >> bitcast<u32>(22i)) | ((_e962 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e966 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e979 = (_e954 & 268435455u);
-                                                let _e980 = (_e978 & 268435455u);
-                                                let _e983 = ((_e954 >> bitcast<u32>(28u)) & 7u);
-                                                let _e991 = ((_e954 >> bitcast<u32>(31i)) | (((_e978 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e992 = (_e983 != 0u);
-                                                if (_e983 == 0u) {
-                                                    phi_3676_ = _e979;
+                                                let _e942 = phi_3532_;
+                                                let _e948 = global_6.member[_e704.member_1][0u];
+                                                let _e952 = global_6.member[_e704.member_1][2u];
+                                                let _e956 = global_6.member[_e704.member_1][4u];
+                                                let _e960 = global_6.member[_e704.member_1][6u];
+                                                let _e972 = (((_e952 >> bitcast<u32>(22i)) | ((_e956 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e960 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e973 = (_e948 & 268435455u);
+                                                let _e974 = (_e972 & 268435455u);
+                                                let _e977 = ((_e948 >> bitcast<u32>(28u)) & 7u);
+                                                let _e985 = ((_e948 >> bitcast<u32>(31i)) | (((_e972 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e986 = (_e977 != 0u);
+                                                if (_e977 == 0u) {
+                                                    phi_3787_ = _e973;
                                                 } else {
-                                                    if (_e983 == 7u) {
-                                                        phi_3675_ = 2147483648u;
+                                                    if (_e977 == 7u) {
+                                                        phi_3786_ = 2147483648u;
                                                     } else {
-                                                        phi_3675_ = ((2147483648u | (_e983 << bitcast<u32>(28u))) | (_e980 & 268435455u));
+                                                        phi_3786_ = ((2147483648u | (_e977 << bitcast<u32>(28u))) | (_e974 & 268435455u));
                                                     }
-                                                    let _e1001 = phi_3675_;
-                                                    phi_3676_ = _e1001;
+                                                    let _e995 = phi_3786_;
+                                                    phi_3787_ = _e995;
                                                 }
-                                                let _e1003 = phi_3676_;
-                                                if _e992 {
-                                                    let _e1004 = (_e983 != 7u);
-                                                    if _e1004 {
-                                                        phi_3686_ = (_e980 + (_e983 * ((3u * _e948) + 1u)));
+                                                let _e997 = phi_3787_;
+                                                if _e986 {
+                                                    let _e998 = (_e977 != 7u);
+                                                    if _e998 {
+                                                        phi_3797_ = (_e974 + (_e977 * ((3u * _e942) + 1u)));
                                                     } else {
-                                                        phi_3686_ = u32();
+                                                        phi_3797_ = u32();
                                                     }
-                                                    let _e1008 = phi_3686_;
-                                                    phi_3688_ = _e1008;
-                                                    phi_3689_ = select(true, false, _e1004);
+                                                    let _e1002 = phi_3797_;
+                                                    phi_3799_ = _e1002;
+                                                    phi_3800_ = select(true, false, _e998);
                                                 } else {
-                                                    phi_3688_ = u32();
-                                                    phi_3689_ = true;
+                                                    phi_3799_ = u32();
+                                                    phi_3800_ = true;
                                                 }
-                                                let _e1011 = phi_3688_;
-                                                let _e1013 = phi_3689_;
-                                                if (_e991 == 0u) {
-                                                    phi_3710_ = (_e979 + select(0u, 1u, !(_e992)));
+                                                let _e1005 = phi_3799_;
+                                                let _e1007 = phi_3800_;
+                                                if (_e985 == 0u) {
+                                                    phi_3821_ = (_e973 + select(0u, 1u, !(_e986)));
                                                 } else {
-                                                    if (_e991 == 7u) {
-                                                        phi_3709_ = 2147483648u;
+                                                    if (_e985 == 7u) {
+                                                        phi_3820_ = 2147483648u;
                                                     } else {
-                                                        phi_3709_ = ((2147483648u | (_e991 << bitcast<u32>(28u))) | (select(_e1011, _e980, _e1013) & 268435455u));
+                                                        phi_3820_ = ((2147483648u | (_e985 << bitcast<u32>(28u))) | (select(_e1005, _e974, _e1007) & 268435455u));
                                                     }
-                                                    let _e1026 = phi_3709_;
-                                                    phi_3710_ = _e1026;
+                                                    let _e1020 = phi_3820_;
+                                                    phi_3821_ = _e1020;
                                                 }
-                                                let _e1028 = phi_3710_;
-                                                phi_3714_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e906, (_e700.member.member.x + _e858), _e911, (_e700.member.member_1.x - _e897)), vec4<f32>(_e907, (_e700.member.member.y + _e862), _e912, (_e700.member.member_1.y - _e901)), vec4<f32>(_e908, (_e700.member.member.z + _e866), _e913, (_e700.member.member_1.z - _e905))), type_49(type_30((_e700.member.member + vec4<f32>(_e836, _e845, _e854, 0f)), (_e700.member.member_1 - vec4<f32>(_e875, _e884, _e893, 0f))), _e1003), type_49(type_30((_e700.member.member + vec4<f32>(_e858, _e862, _e866, 0f)), (_e700.member.member_1 - vec4<f32>(_e897, _e901, _e905, 0f))), _e1028));
+                                                let _e1022 = phi_3821_;
+                                                phi_3825_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e900, (_e704.member.member.x + _e852), _e905, (_e704.member.member_1.x - _e891)), vec4<f32>(_e901, (_e704.member.member.y + _e856), _e906, (_e704.member.member_1.y - _e895)), vec4<f32>(_e902, (_e704.member.member.z + _e860), _e907, (_e704.member.member_1.z - _e899))), type_49(type_30((_e704.member.member + vec4<f32>(_e830, _e839, _e848, 0f)), (_e704.member.member_1 - vec4<f32>(_e869, _e878, _e887, 0f))), _e997), type_49(type_30((_e704.member.member + vec4<f32>(_e852, _e856, _e860, 0f)), (_e704.member.member_1 - vec4<f32>(_e891, _e895, _e899, 0f))), _e1022));
                                             }
-                                            let _e1033 = phi_3714_;
-                                            let _e1046 = ((_e1033.member[0].x - _e363) * _e368);
-                                            let _e1047 = ((_e1033.member[0].y - _e363) * _e368);
-                                            let _e1048 = ((_e1033.member[0].z - _e364) * _e368);
-                                            let _e1049 = ((_e1033.member[0].w - _e364) * _e368);
-                                            let _e1059 = ((_e1033.member[1].x - _e429) * _e434);
-                                            let _e1060 = ((_e1033.member[1].y - _e429) * _e434);
-                                            let _e1061 = ((_e1033.member[1].z - _e430) * _e434);
-                                            let _e1062 = ((_e1033.member[1].w - _e430) * _e434);
-                                            let _e1072 = ((_e1033.member[2].x - _e495) * _e500);
-                                            let _e1073 = ((_e1033.member[2].y - _e495) * _e500);
-                                            let _e1074 = ((_e1033.member[2].z - _e496) * _e500);
-                                            let _e1075 = ((_e1033.member[2].w - _e496) * _e500);
+                                            let _e1027 = phi_3825_;
+                                            let _e1046 = ((_e1027.member[0].x - _e363) * _e368);
+                                            let _e1047 = ((_e1027.member[0].y - _e363) * _e368);
+                                            let _e1048 = ((_e1027.member[0].z - _e364) * _e368);
+                                            let _e1049 = ((_e1027.member[0].w - _e364) * _e368);
+                                            let _e1059 = ((_e1027.member[1].x - _e429) * _e434);
+                                            let _e1060 = ((_e1027.member[1].y - _e429) * _e434);
+                                            let _e1061 = ((_e1027.member[1].z - _e430) * _e434);
+                                            let _e1062 = ((_e1027.member[1].w - _e430) * _e434);
+                                            let _e1072 = ((_e1027.member[2].x - _e495) * _e500);
+                                            let _e1073 = ((_e1027.member[2].y - _e495) * _e500);
+                                            let _e1074 = ((_e1027.member[2].z - _e496) * _e500);
+                                            let _e1075 = ((_e1027.member[2].w - _e496) * _e500);
                                             let _e1077 = select(_e1074, _e1072, (_e1072 < _e1074));
                                             let _e1079 = select(_e1075, _e1073, (_e1073 < _e1075));
                                             let _e1081 = select(_e1074, _e1072, (_e1072 > _e1074));
@@ -1737,188 +1737,188 @@ fn function_() {
                                             if _e1134 {
                                                 if _e1135 {
                                                     if _e1136 {
-                                                        phi_4058_ = _e1033.member_2;
+                                                        phi_4190_ = _e1027.member_2;
                                                     } else {
-                                                        phi_4058_ = _e1033.member_1;
+                                                        phi_4190_ = _e1027.member_1;
                                                     }
-                                                    let _e1140 = phi_4058_;
-                                                    let _e1162 = (_e704 % 128u);
+                                                    let _e1140 = phi_4190_;
+                                                    let _e1162 = (_e702 % 128u);
                                                     let _e1163 = (_e1162 < 128u);
                                                     if _e1163 {
                                                     } else {
-                                                        phi_4848_ = true;
+                                                        phi_4984_ = true;
                                                         break;
                                                     }
                                                     local_8[_e1162] = _e1140.member_1;
                                                     if _e1163 {
                                                     } else {
-                                                        phi_4848_ = true;
+                                                        phi_4984_ = true;
                                                         break;
                                                     }
                                                     local_7[_e1162] = _e1140.member.member.x;
                                                     if _e1163 {
                                                     } else {
-                                                        phi_4848_ = true;
+                                                        phi_4984_ = true;
                                                         break;
                                                     }
                                                     local_6[_e1162] = _e1140.member.member.y;
                                                     if _e1163 {
                                                     } else {
-                                                        phi_4848_ = true;
+                                                        phi_4984_ = true;
                                                         break;
                                                     }
                                                     local_5[_e1162] = _e1140.member.member.z;
                                                     if _e1163 {
                                                     } else {
-                                                        phi_4848_ = true;
+                                                        phi_4984_ = true;
                                                         break;
                                                     }
                                                     local_4[_e1162] = _e1140.member.member_1.x;
                                                     if _e1163 {
                                                     } else {
-                                                        phi_4848_ = true;
+                                                        phi_4984_ = true;
                                                         break;
                                                     }
                                                     local_3[_e1162] = _e1140.member.member_1.y;
                                                     if _e1163 {
                                                     } else {
-                                                        phi_4848_ = true;
+                                                        phi_4984_ = true;
                                                         break;
                                                     }
                                                     local_2[_e1162] = _e1140.member.member_1.z;
                                                     if _e1163 {
                                                     } else {
-                                                        phi_4848_ = true;
+                                                        phi_4984_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1162] = select(_e1129, _e1127, (_e1127 > _e1129));
+                                                    local_9[_e1162] = select(_e1129, _e1127, !(_e1136));
                                                     if _e1136 {
-                                                        phi_4135_ = _e1033.member_1;
+                                                        phi_4267_ = _e1027.member_1;
                                                     } else {
-                                                        phi_4135_ = _e1033.member_2;
+                                                        phi_4267_ = _e1027.member_2;
                                                     }
-                                                    let _e1176 = phi_4135_;
-                                                    phi_4136_ = _e1176;
-                                                    phi_4137_ = (_e704 + 1u);
+                                                    let _e1176 = phi_4267_;
+                                                    phi_4268_ = (_e702 + 1u);
+                                                    phi_4269_ = _e1176;
                                                 } else {
-                                                    phi_4136_ = type_49();
-                                                    phi_4137_ = u32();
+                                                    phi_4268_ = u32();
+                                                    phi_4269_ = type_49();
                                                 }
-                                                let _e1178 = phi_4136_;
-                                                let _e1180 = phi_4137_;
-                                                phi_4139_ = _e1178;
-                                                phi_4140_ = _e1180;
-                                                phi_4141_ = select(true, false, _e1135);
+                                                let _e1178 = phi_4268_;
+                                                let _e1180 = phi_4269_;
+                                                phi_4271_ = _e1178;
+                                                phi_4272_ = _e1180;
+                                                phi_4273_ = select(true, false, _e1135);
                                             } else {
-                                                phi_4139_ = type_49();
-                                                phi_4140_ = u32();
-                                                phi_4141_ = true;
+                                                phi_4271_ = u32();
+                                                phi_4272_ = type_49();
+                                                phi_4273_ = true;
                                             }
-                                            let _e1183 = phi_4139_;
-                                            let _e1185 = phi_4140_;
-                                            let _e1187 = phi_4141_;
+                                            let _e1183 = phi_4271_;
+                                            let _e1185 = phi_4272_;
+                                            let _e1187 = phi_4273_;
                                             if _e1187 {
                                                 if _e1134 {
-                                                    phi_4150_ = _e1033.member_1;
+                                                    phi_4282_ = _e1027.member_1;
                                                 } else {
-                                                    phi_4150_ = _e1033.member_2;
+                                                    phi_4282_ = _e1027.member_2;
                                                 }
-                                                let _e1191 = phi_4150_;
-                                                phi_4155_ = _e1191;
-                                                phi_4156_ = select(_e1135, true, _e1134);
+                                                let _e1191 = phi_4282_;
+                                                phi_4287_ = select(_e1135, true, _e1134);
+                                                phi_4289_ = _e1191;
                                             } else {
-                                                phi_4155_ = _e1183;
-                                                phi_4156_ = _e702;
+                                                phi_4287_ = _e700;
+                                                phi_4289_ = _e1185;
                                             }
-                                            let _e1194 = phi_4155_;
-                                            let _e1196 = phi_4156_;
-                                            phi_4852_ = _e658;
-                                            phi_4158_ = type_38(_e660.member, (_e660.member_1 + 1u), _e660.member_2);
-                                            phi_4159_ = _e1194;
-                                            phi_4160_ = _e1196;
-                                            phi_4161_ = select(_e1185, _e704, _e1187);
+                                            let _e1194 = phi_4287_;
+                                            let _e1196 = phi_4289_;
+                                            phi_4988_ = _e658;
+                                            phi_4294_ = type_38(_e660.member, (_e660.member_1 + 1u), _e660.member_2);
+                                            phi_4295_ = _e1194;
+                                            phi_4296_ = select(_e1183, _e702, _e1187);
+                                            phi_4297_ = _e1196;
                                         }
-                                        let _e2152 = phi_4852_;
-                                        let _e2154 = phi_4158_;
-                                        let _e2156 = phi_4159_;
-                                        let _e2158 = phi_4160_;
-                                        let _e2160 = phi_4161_;
-                                        phi_4851_ = _e2152;
-                                        phi_4162_ = _e2154;
-                                        phi_4163_ = _e2156;
-                                        phi_4164_ = (_e664 - 1u);
-                                        phi_4165_ = _e2158;
-                                        phi_4166_ = _e2160;
+                                        let _e2152 = phi_4988_;
+                                        let _e2154 = phi_4294_;
+                                        let _e2156 = phi_4295_;
+                                        let _e2158 = phi_4296_;
+                                        let _e2160 = phi_4297_;
+                                        phi_4987_ = _e2152;
+                                        phi_4298_ = _e2154;
+                                        phi_4299_ = _e2156;
+                                        phi_4300_ = (_e664 - 1u);
+                                        phi_4301_ = _e2158;
+                                        phi_4302_ = _e2160;
                                     } else {
-                                        phi_4851_ = _e658;
-                                        phi_4162_ = _e660;
-                                        phi_4163_ = _e700;
-                                        phi_4164_ = _e664;
-                                        phi_4165_ = _e702;
-                                        phi_4166_ = _e704;
+                                        phi_4987_ = _e658;
+                                        phi_4298_ = _e660;
+                                        phi_4299_ = _e700;
+                                        phi_4300_ = _e664;
+                                        phi_4301_ = _e702;
+                                        phi_4302_ = _e704;
                                     }
-                                    let _e2162 = phi_4851_;
-                                    let _e2164 = phi_4162_;
-                                    let _e2166 = phi_4163_;
-                                    let _e2168 = phi_4164_;
-                                    let _e2170 = phi_4165_;
-                                    let _e2172 = phi_4166_;
-                                    phi_4850_ = _e2162;
-                                    phi_4167_ = _e2164;
-                                    phi_4168_ = _e2166;
-                                    phi_4169_ = _e2168;
-                                    phi_4170_ = _e2170;
-                                    phi_4171_ = _e2172;
+                                    let _e2162 = phi_4987_;
+                                    let _e2164 = phi_4298_;
+                                    let _e2166 = phi_4299_;
+                                    let _e2168 = phi_4300_;
+                                    let _e2170 = phi_4301_;
+                                    let _e2172 = phi_4302_;
+                                    phi_4986_ = _e2162;
+                                    phi_4303_ = _e2164;
+                                    phi_4304_ = _e2166;
+                                    phi_4305_ = _e2168;
+                                    phi_4306_ = _e2170;
+                                    phi_4307_ = _e2172;
                                 } else {
-                                    phi_4850_ = _e658;
-                                    phi_4167_ = type_38();
-                                    phi_4168_ = type_49();
-                                    phi_4169_ = u32();
-                                    phi_4170_ = bool();
-                                    phi_4171_ = u32();
+                                    phi_4986_ = _e658;
+                                    phi_4303_ = type_38();
+                                    phi_4304_ = bool();
+                                    phi_4305_ = u32();
+                                    phi_4306_ = u32();
+                                    phi_4307_ = type_49();
                                 }
-                                let _e2174 = phi_4850_;
-                                let _e2176 = phi_4167_;
-                                let _e2178 = phi_4168_;
-                                let _e2180 = phi_4169_;
-                                let _e2182 = phi_4170_;
-                                let _e2184 = phi_4171_;
-                                phi_4849_ = _e2174;
-                                phi_1174_ = _e2176;
-                                phi_1177_ = _e2178;
-                                phi_1179_ = _e2180;
-                                phi_1181_ = _e2182;
-                                phi_1183_ = _e2184;
-                                phi_4172_ = _e672;
+                                let _e2174 = phi_4986_;
+                                let _e2176 = phi_4303_;
+                                let _e2178 = phi_4304_;
+                                let _e2180 = phi_4305_;
+                                let _e2182 = phi_4306_;
+                                let _e2184 = phi_4307_;
+                                phi_4985_ = _e2174;
+                                phi_1192_ = _e2176;
+                                phi_1195_ = _e2178;
+                                phi_1197_ = _e2180;
+                                phi_1199_ = _e2182;
+                                phi_1201_ = _e2184;
+                                phi_4308_ = _e672;
                             } else {
-                                phi_4849_ = _e658;
-                                phi_1174_ = type_38();
-                                phi_1177_ = type_49();
-                                phi_1179_ = u32();
-                                phi_1181_ = bool();
-                                phi_1183_ = u32();
-                                phi_4172_ = false;
+                                phi_4985_ = _e658;
+                                phi_1192_ = type_38();
+                                phi_1195_ = bool();
+                                phi_1197_ = u32();
+                                phi_1199_ = u32();
+                                phi_1201_ = type_49();
+                                phi_4308_ = false;
                             }
-                            let _e2186 = phi_4849_;
-                            let _e2188 = phi_1174_;
-                            let _e2190 = phi_1177_;
-                            let _e2192 = phi_1179_;
-                            let _e2194 = phi_1181_;
-                            let _e2196 = phi_1183_;
-                            let _e2198 = phi_4172_;
+                            let _e2186 = phi_4985_;
+                            let _e2188 = phi_1192_;
+                            let _e2190 = phi_1195_;
+                            let _e2192 = phi_1197_;
+                            let _e2194 = phi_1199_;
+                            let _e2196 = phi_1201_;
+                            let _e2198 = phi_4308_;
                             continue;
                             continuing {
-                                phi_4647_ = _e2186;
-                                phi_1173_ = _e2188;
-                                phi_1176_ = _e2190;
-                                phi_1178_ = _e2192;
-                                phi_1180_ = _e2194;
-                                phi_1182_ = _e2196;
-                                phi_4848_ = _e2186;
+                                phi_4783_ = _e2186;
+                                phi_1191_ = _e2188;
+                                phi_1194_ = _e2190;
+                                phi_1196_ = _e2192;
+                                phi_1198_ = _e2194;
+                                phi_1200_ = _e2196;
+                                phi_4984_ = _e2186;
                                 break if !(_e2198);
                             }
                         }
-                        let _e2201 = phi_4848_;
+                        let _e2201 = phi_4984_;
                         if _e2201 {
                             break;
                         }
@@ -1928,110 +1928,110 @@ fn function_() {
                             let _e2213 = (bitcast<i32>((_e2209 >> bitcast<u32>(23i))) & 255i);
                             let _e2214 = (_e2213 + _e280);
                             if (_e2213 == 255i) {
-                                phi_4231_ = _e2203.member.member.member;
+                                phi_4367_ = _e2203.member.member.member;
                             } else {
                                 if (_e2213 > 0i) {
                                     if (_e2214 > 0i) {
                                         let _e2218 = (_e2214 < 255i);
                                         if _e2218 {
-                                            phi_4210_ = bitcast<f32>((_e2209 + bitcast<u32>((_e280 << bitcast<u32>(23i)))));
+                                            phi_4346_ = bitcast<f32>((_e2209 + bitcast<u32>((_e280 << bitcast<u32>(23i)))));
                                         } else {
-                                            phi_4210_ = f32();
+                                            phi_4346_ = f32();
                                         }
-                                        let _e2225 = phi_4210_;
-                                        phi_4212_ = _e2225;
-                                        phi_4213_ = select(true, false, _e2218);
+                                        let _e2225 = phi_4346_;
+                                        phi_4348_ = _e2225;
+                                        phi_4349_ = select(true, false, _e2218);
                                     } else {
-                                        phi_4212_ = f32();
-                                        phi_4213_ = true;
+                                        phi_4348_ = f32();
+                                        phi_4349_ = true;
                                     }
-                                    let _e2228 = phi_4212_;
-                                    let _e2230 = phi_4213_;
-                                    phi_4214_ = _e2228;
-                                    phi_4215_ = _e2230;
+                                    let _e2228 = phi_4348_;
+                                    let _e2230 = phi_4349_;
+                                    phi_4350_ = _e2228;
+                                    phi_4351_ = _e2230;
                                 } else {
-                                    phi_4214_ = f32();
-                                    phi_4215_ = true;
+                                    phi_4350_ = f32();
+                                    phi_4351_ = true;
                                 }
-                                let _e2232 = phi_4214_;
-                                let _e2234 = phi_4215_;
+                                let _e2232 = phi_4350_;
+                                let _e2234 = phi_4351_;
                                 if _e2234 {
                                     let _e2235 = (_e2209 & 2147483648u);
                                     let _e2242 = ((_e2209 & 8388607u) | (select(0u, 1u, ((_e2209 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                     let _e2246 = (_e2242 == 0u);
                                     if _e2246 {
-                                        phi_4599_ = bitcast<f32>(_e2235);
+                                        phi_4735_ = bitcast<f32>(_e2235);
                                     } else {
                                         let _e2251 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2242)), 32u, _e2246) - 8u);
                                         let _e2254 = (_e2242 << bitcast<u32>((_e2251 & 31u)));
                                         let _e2256 = ((_e2214 + select(0i, 1i, (_e2213 == 0i))) - bitcast<i32>(_e2251));
                                         if (_e2256 >= 255i) {
-                                            phi_4589_ = bitcast<f32>((_e2235 | 2139095040u));
-                                            phi_4590_ = f32();
-                                            phi_4591_ = true;
+                                            phi_4725_ = bitcast<f32>((_e2235 | 2139095040u));
+                                            phi_4726_ = f32();
+                                            phi_4727_ = true;
                                         } else {
                                             let _e2258 = (_e2256 > 0i);
                                             if _e2258 {
-                                                phi_4583_ = bitcast<f32>(((_e2235 | (bitcast<u32>(_e2256) << bitcast<u32>(23i))) | (_e2254 & 8388607u)));
-                                                phi_4584_ = f32();
+                                                phi_4719_ = bitcast<f32>(((_e2235 | (bitcast<u32>(_e2256) << bitcast<u32>(23i))) | (_e2254 & 8388607u)));
+                                                phi_4720_ = f32();
                                             } else {
                                                 if (_e2256 < -24i) {
-                                                    phi_4549_ = 26u;
+                                                    phi_4685_ = 26u;
                                                 } else {
-                                                    phi_4549_ = bitcast<u32>((1i - _e2256));
+                                                    phi_4685_ = bitcast<u32>((1i - _e2256));
                                                 }
-                                                let _e2263 = phi_4549_;
+                                                let _e2263 = phi_4685_;
                                                 let _e2264 = (_e2263 & 31u);
                                                 let _e2266 = (_e2254 >> bitcast<u32>(_e2264));
                                                 let _e2270 = (_e2254 & ((1u << bitcast<u32>(_e2264)) - 1u));
                                                 let _e2274 = (1u << bitcast<u32>(((_e2263 - 1u) & 31u)));
                                                 if (_e2270 > _e2274) {
-                                                    phi_4570_ = true;
+                                                    phi_4706_ = true;
                                                 } else {
                                                     if (_e2270 == _e2274) {
-                                                        phi_4567_ = ((_e2266 & 1u) == 1u);
+                                                        phi_4703_ = ((_e2266 & 1u) == 1u);
                                                     } else {
-                                                        phi_4567_ = false;
+                                                        phi_4703_ = false;
                                                     }
-                                                    let _e2280 = phi_4567_;
-                                                    phi_4570_ = _e2280;
+                                                    let _e2280 = phi_4703_;
+                                                    phi_4706_ = _e2280;
                                                 }
-                                                let _e2282 = phi_4570_;
-                                                phi_4583_ = f32();
-                                                phi_4584_ = bitcast<f32>((_e2235 | (_e2266 + select(0u, 1u, _e2282))));
+                                                let _e2282 = phi_4706_;
+                                                phi_4719_ = f32();
+                                                phi_4720_ = bitcast<f32>((_e2235 | (_e2266 + select(0u, 1u, _e2282))));
                                             }
-                                            let _e2295 = phi_4583_;
-                                            let _e2297 = phi_4584_;
-                                            phi_4589_ = _e2295;
-                                            phi_4590_ = _e2297;
-                                            phi_4591_ = _e2258;
+                                            let _e2295 = phi_4719_;
+                                            let _e2297 = phi_4720_;
+                                            phi_4725_ = _e2295;
+                                            phi_4726_ = _e2297;
+                                            phi_4727_ = _e2258;
                                         }
-                                        let _e2301 = phi_4589_;
-                                        let _e2303 = phi_4590_;
-                                        let _e2305 = phi_4591_;
-                                        phi_4599_ = select(_e2303, _e2301, _e2305);
+                                        let _e2301 = phi_4725_;
+                                        let _e2303 = phi_4726_;
+                                        let _e2305 = phi_4727_;
+                                        phi_4735_ = select(_e2303, _e2301, _e2305);
                                     }
-                                    let _e2309 = phi_4599_;
-                                    phi_4230_ = _e2309;
+                                    let _e2309 = phi_4735_;
+                                    phi_4366_ = _e2309;
                                 } else {
-                                    phi_4230_ = _e2232;
+                                    phi_4366_ = _e2232;
                                 }
-                                let _e2311 = phi_4230_;
-                                phi_4231_ = _e2311;
+                                let _e2311 = phi_4366_;
+                                phi_4367_ = _e2311;
                             }
-                            let _e2313 = phi_4231_;
+                            let _e2313 = phi_4367_;
                             let _e2314 = bitcast<u32>(_e2313);
                             if ((_e2314 & 2147483647u) >= 2139095040u) {
-                                phi_4243_ = bitcast<f32>(((_e2314 & 2147483648u) | 2139095039u));
+                                phi_4379_ = bitcast<f32>(((_e2314 & 2147483648u) | 2139095039u));
                             } else {
-                                phi_4243_ = _e2313;
+                                phi_4379_ = _e2313;
                             }
-                            let _e2321 = phi_4243_;
-                            phi_4248_ = type_18(_e2321, _e2203.member.member.member_1, _e2203.member.member.member_2, _e2203.member.member.member_3);
+                            let _e2321 = phi_4379_;
+                            phi_4384_ = type_18(_e2321, _e2203.member.member.member_1, _e2203.member.member.member_2, _e2203.member.member.member_3);
                         } else {
-                            phi_4248_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_4384_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e2326 = phi_4248_;
+                        let _e2326 = phi_4384_;
                         if _e156 {
                         } else {
                             break;

@@ -69,7 +69,7 @@ struct type_46 {
     member_3: array<u32, 3>,
 }
 
-struct type_49 {
+struct type_50 {
     member: type_28,
     member_1: f32,
 }
@@ -115,169 +115,169 @@ var<storage, read_write> global_9: type_66;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_306_: u32;
-    var phi_350_: i32;
-    var phi_490_: type_46;
-    var phi_596_: i32;
-    var phi_597_: i32;
-    var phi_607_: bool;
-    var phi_617_: u32;
-    var phi_618_: u32;
-    var phi_620_: bool;
-    var phi_625_: u32;
-    var phi_657_: i32;
-    var phi_675_: f32;
-    var phi_681_: f32;
-    var phi_721_: f32;
-    var phi_727_: f32;
-    var phi_779_: f32;
-    var phi_790_: f32;
-    var phi_799_: f32;
-    var phi_805_: f32;
-    var phi_845_: f32;
-    var phi_851_: f32;
-    var phi_903_: f32;
-    var phi_914_: f32;
+    var phi_312_: u32;
+    var phi_356_: i32;
+    var phi_496_: type_46;
+    var phi_602_: i32;
+    var phi_603_: i32;
+    var phi_613_: bool;
+    var phi_623_: u32;
+    var phi_624_: u32;
+    var phi_626_: bool;
+    var phi_631_: u32;
+    var phi_664_: i32;
+    var phi_682_: f32;
+    var phi_688_: f32;
+    var phi_728_: f32;
+    var phi_734_: f32;
+    var phi_786_: f32;
+    var phi_798_: f32;
+    var phi_807_: f32;
+    var phi_813_: f32;
+    var phi_853_: f32;
+    var phi_859_: f32;
+    var phi_911_: f32;
     var phi_923_: f32;
-    var phi_929_: f32;
-    var phi_969_: f32;
-    var phi_975_: f32;
-    var phi_1027_: f32;
-    var phi_1038_: f32;
-    var phi_1093_: i32;
-    var phi_1115_: u32;
-    var phi_1116_: u32;
-    var phi_1153_: i32;
-    var phi_1175_: u32;
-    var phi_1176_: u32;
-    var phi_1184_: f32;
-    var phi_1185_: f32;
-    var phi_3319_: bool;
-    var phi_1196_: type_49;
-    var phi_1199_: u32;
-    var phi_1201_: u32;
-    var phi_1203_: bool;
-    var phi_1205_: u32;
-    var phi_1216_: bool;
-    var phi_1248_: u32;
-    var phi_1249_: bool;
-    var phi_1250_: u32;
-    var phi_2658_: type_54;
-    var phi_3002_: u32;
-    var phi_3030_: u32;
-    var phi_3031_: u32;
-    var phi_3032_: u32;
-    var phi_3034_: u32;
-    var phi_3035_: u32;
-    var phi_3036_: bool;
-    var phi_3045_: u32;
-    var phi_3050_: u32;
-    var phi_3051_: bool;
-    var phi_1265_: type_49;
-    var phi_1268_: type_8;
-    var phi_1269_: type_8;
-    var phi_1291_: type_8;
-    var phi_1312_: u32;
-    var phi_1401_: array<array<f32, 3>, 3>;
-    var phi_1518_: bool;
-    var phi_1547_: bool;
-    var phi_1948_: f32;
-    var phi_1949_: f32;
-    var phi_1950_: f32;
-    var phi_1951_: f32;
-    var phi_1952_: vec3<f32>;
-    var phi_1953_: vec3<f32>;
-    var phi_1954_: vec3<f32>;
-    var phi_1955_: vec3<f32>;
-    var phi_1986_: bool;
-    var phi_1995_: vec3<f32>;
-    var phi_2160_: f32;
-    var phi_2162_: f32;
-    var phi_2163_: bool;
-    var phi_2183_: f32;
-    var phi_2184_: f32;
-    var phi_2207_: type_28;
-    var phi_2209_: type_28;
-    var phi_2210_: bool;
-    var phi_2214_: type_28;
-    var phi_2215_: type_28;
-    var phi_2216_: type_28;
-    var phi_2217_: bool;
-    var phi_2221_: type_28;
-    var phi_2222_: bool;
-    var phi_2223_: type_28;
-    var phi_2224_: bool;
-    var phi_2225_: bool;
-    var phi_2226_: type_28;
-    var phi_2227_: bool;
-    var phi_2228_: bool;
-    var phi_2236_: type_28;
-    var phi_2237_: bool;
-    var phi_2241_: type_28;
-    var phi_2264_: u32;
-    var phi_2278_: i32;
-    var phi_2298_: vec3<f32>;
-    var phi_2299_: vec3<f32>;
-    var phi_2315_: vec3<f32>;
-    var phi_2316_: vec3<f32>;
-    var phi_2332_: vec3<f32>;
-    var phi_2333_: vec3<f32>;
-    var phi_2369_: vec3<f32>;
-    var phi_2551_: f32;
-    var phi_2569_: bool;
-    var phi_2570_: bool;
-    var phi_2589_: bool;
-    var phi_2590_: bool;
-    var phi_2596_: type_49;
-    var phi_2597_: type_49;
-    var phi_2598_: type_49;
-    var phi_1266_: type_49;
-    var phi_3313_: bool;
-    var phi_3509_: bool;
-    var phi_3053_: type_49;
-    var phi_3054_: u32;
-    var phi_3055_: bool;
-    var phi_3056_: u32;
-    var phi_3508_: bool;
-    var phi_3057_: type_49;
-    var phi_3058_: u32;
-    var phi_3059_: u32;
-    var phi_3060_: bool;
-    var phi_3061_: u32;
-    var phi_3507_: bool;
-    var phi_3062_: type_49;
-    var phi_3063_: u32;
-    var phi_3064_: u32;
-    var phi_3065_: bool;
-    var phi_3066_: u32;
-    var phi_3506_: bool;
-    var phi_1197_: type_49;
-    var phi_1200_: u32;
-    var phi_1202_: u32;
-    var phi_1204_: bool;
-    var phi_1206_: u32;
-    var phi_3067_: bool;
-    var phi_3505_: bool;
-    var local_2: type_49;
-    var phi_3105_: f32;
-    var phi_3107_: f32;
-    var phi_3108_: bool;
-    var phi_3109_: f32;
-    var phi_3110_: bool;
-    var phi_3258_: u32;
-    var phi_3276_: bool;
-    var phi_3279_: bool;
-    var phi_3292_: f32;
-    var phi_3293_: f32;
-    var phi_3298_: f32;
-    var phi_3299_: f32;
-    var phi_3300_: bool;
-    var phi_3308_: f32;
-    var phi_3125_: f32;
-    var phi_3126_: f32;
-    var phi_3138_: f32;
-    var phi_3143_: type_28;
-    var local_3: type_49;
+    var phi_932_: f32;
+    var phi_938_: f32;
+    var phi_978_: f32;
+    var phi_984_: f32;
+    var phi_1036_: f32;
+    var phi_1048_: f32;
+    var phi_1103_: i32;
+    var phi_1125_: u32;
+    var phi_1126_: u32;
+    var phi_1163_: i32;
+    var phi_1185_: u32;
+    var phi_1186_: u32;
+    var phi_1194_: f32;
+    var phi_1195_: f32;
+    var phi_3432_: bool;
+    var phi_1210_: type_50;
+    var phi_1213_: bool;
+    var phi_1215_: u32;
+    var phi_1217_: u32;
+    var phi_1219_: u32;
+    var phi_1230_: bool;
+    var phi_1262_: bool;
+    var phi_1263_: u32;
+    var phi_1264_: u32;
+    var phi_2750_: type_54;
+    var phi_3112_: u32;
+    var phi_3140_: u32;
+    var phi_3141_: u32;
+    var phi_3142_: u32;
+    var phi_3144_: u32;
+    var phi_3145_: u32;
+    var phi_3146_: bool;
+    var phi_3155_: u32;
+    var phi_3160_: bool;
+    var phi_3162_: u32;
+    var phi_1279_: type_50;
+    var phi_1282_: type_8;
+    var phi_1283_: type_8;
+    var phi_1305_: type_8;
+    var phi_1326_: u32;
+    var phi_1418_: array<array<f32, 3>, 3>;
+    var phi_1570_: bool;
+    var phi_1599_: bool;
+    var phi_2018_: f32;
+    var phi_2019_: f32;
+    var phi_2020_: f32;
+    var phi_2021_: f32;
+    var phi_2022_: vec3<f32>;
+    var phi_2023_: vec3<f32>;
+    var phi_2024_: vec3<f32>;
+    var phi_2025_: vec3<f32>;
+    var phi_2062_: bool;
+    var phi_2071_: vec3<f32>;
+    var phi_2236_: f32;
+    var phi_2238_: f32;
+    var phi_2239_: bool;
+    var phi_2259_: f32;
+    var phi_2260_: f32;
+    var phi_2283_: type_28;
+    var phi_2285_: type_28;
+    var phi_2286_: bool;
+    var phi_2290_: type_28;
+    var phi_2291_: type_28;
+    var phi_2292_: type_28;
+    var phi_2293_: bool;
+    var phi_2297_: type_28;
+    var phi_2298_: bool;
+    var phi_2299_: type_28;
+    var phi_2300_: bool;
+    var phi_2301_: bool;
+    var phi_2302_: type_28;
+    var phi_2303_: bool;
+    var phi_2304_: bool;
+    var phi_2312_: type_28;
+    var phi_2313_: bool;
+    var phi_2317_: type_28;
+    var phi_2340_: u32;
+    var phi_2354_: i32;
+    var phi_2376_: vec3<f32>;
+    var phi_2377_: vec3<f32>;
+    var phi_2395_: vec3<f32>;
+    var phi_2396_: vec3<f32>;
+    var phi_2414_: vec3<f32>;
+    var phi_2415_: vec3<f32>;
+    var phi_2451_: vec3<f32>;
+    var phi_2633_: f32;
+    var phi_2651_: bool;
+    var phi_2652_: bool;
+    var phi_2671_: bool;
+    var phi_2672_: bool;
+    var phi_2678_: type_50;
+    var phi_2679_: type_50;
+    var phi_2680_: type_50;
+    var phi_1280_: type_50;
+    var phi_3426_: bool;
+    var phi_3622_: bool;
+    var phi_3166_: type_50;
+    var phi_3167_: bool;
+    var phi_3168_: u32;
+    var phi_3169_: u32;
+    var phi_3621_: bool;
+    var phi_3170_: type_50;
+    var phi_3171_: bool;
+    var phi_3172_: u32;
+    var phi_3173_: u32;
+    var phi_3174_: u32;
+    var phi_3620_: bool;
+    var phi_3175_: type_50;
+    var phi_3176_: bool;
+    var phi_3177_: u32;
+    var phi_3178_: u32;
+    var phi_3179_: u32;
+    var phi_3619_: bool;
+    var phi_1211_: type_50;
+    var phi_1214_: bool;
+    var phi_1216_: u32;
+    var phi_1218_: u32;
+    var phi_1220_: u32;
+    var phi_3180_: bool;
+    var phi_3618_: bool;
+    var local_2: type_50;
+    var phi_3218_: f32;
+    var phi_3220_: f32;
+    var phi_3221_: bool;
+    var phi_3222_: f32;
+    var phi_3223_: bool;
+    var phi_3371_: u32;
+    var phi_3389_: bool;
+    var phi_3392_: bool;
+    var phi_3405_: f32;
+    var phi_3406_: f32;
+    var phi_3411_: f32;
+    var phi_3412_: f32;
+    var phi_3413_: bool;
+    var phi_3421_: f32;
+    var phi_3238_: f32;
+    var phi_3239_: f32;
+    var phi_3251_: f32;
+    var phi_3256_: type_28;
+    var local_3: type_50;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -293,11 +293,11 @@ fn function_() {
                     break;
                 }
                 let _e109 = global_7.member[_e104].member_2;
-                phi_306_ = _e109;
+                phi_312_ = _e109;
             } else {
-                phi_306_ = 4294967295u;
+                phi_312_ = 4294967295u;
             }
-            let _e111 = phi_306_;
+            let _e111 = phi_312_;
             let _e114 = global_1.member[0u];
             let _e118 = global_3.member[0u][0u];
             let _e122 = global_3.member[0u][1u];
@@ -314,15 +314,15 @@ fn function_() {
             let _e152 = array<u32, 3>(_e138, _e142, _e146);
             let _e154 = bitcast<i32>(_e114);
             if (_e154 < -126i) {
-                phi_350_ = -126i;
+                phi_356_ = -126i;
             } else {
-                phi_350_ = select(_e154, 127i, (_e154 > 127i));
+                phi_356_ = select(_e154, 127i, (_e154 > 127i));
             }
-            let _e159 = phi_350_;
+            let _e159 = phi_356_;
             let _e164 = bitcast<f32>((bitcast<u32>((_e159 + 127i)) << bitcast<u32>(23i)));
             let _e170 = bitcast<f32>((bitcast<u32>(((_e154 - _e159) + 127i)) << bitcast<u32>(23i)));
             if (_e130 == 0u) {
-                phi_490_ = type_46(array<f32, 3>(_e147, _e148, _e149), _e130, _e151, _e152);
+                phi_496_ = type_46(array<f32, 3>(_e147, _e148, _e149), _e130, _e151, _e152);
             } else {
                 let _e172 = bitcast<u32>(_e147);
                 let _e174 = ((_e172 & 2139095040u) != 0u);
@@ -332,9 +332,9 @@ fn function_() {
                 let _e208 = ((_e206 & 2139095040u) != 0u);
                 let _e224 = bitcast<u32>(_e151);
                 let _e226 = ((_e224 & 2139095040u) != 0u);
-                phi_490_ = type_46(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e172 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e172 & 2147483648u))), _e147, _e174) * _e164) * select(0.00000011920929f, 1f, _e174)) * _e170), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e189 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e189 & 2147483648u))), _e148, _e191) * _e164) * select(0.00000011920929f, 1f, _e191)) * _e170), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e206 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e206 & 2147483648u))), _e149, _e208) * _e164) * select(0.00000011920929f, 1f, _e208)) * _e170)), _e130, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e224 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e224 & 2147483648u))), _e151, _e226) * _e164) * select(0.00000011920929f, 1f, _e226)) * _e170), _e152);
+                phi_496_ = type_46(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e172 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e172 & 2147483648u))), _e147, _e174) * _e164) * select(0.00000011920929f, 1f, _e174)) * _e170), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e189 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e189 & 2147483648u))), _e148, _e191) * _e164) * select(0.00000011920929f, 1f, _e191)) * _e170), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e206 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e206 & 2147483648u))), _e149, _e208) * _e164) * select(0.00000011920929f, 1f, _e208)) * _e170)), _e130, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e224 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e224 & 2147483648u))), _e151, _e226) * _e164) * select(0.00000011920929f, 1f, _e226)) * _e170), _e152);
             }
-            let _e243 = phi_490_;
+            let _e243 = phi_496_;
             if _e105 {
                 let _e244 = (_e104 < arrayLength((&global_8.member)));
                 if _e244 {
@@ -369,203 +369,203 @@ fn function_() {
                     if _e327 {
                         let _e330 = (bitcast<u32>(bitcast<f32>(_e300)) & 2147483647u);
                         if (_e330 >= 8388608u) {
-                            phi_596_ = (bitcast<i32>((_e330 >> bitcast<u32>(23i))) - 127i);
+                            phi_602_ = (bitcast<i32>((_e330 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_596_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e330)), 32u, (_e330 == 0u))));
+                            phi_602_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e330)), 32u, (_e330 == 0u))));
                         }
-                        let _e344 = phi_596_;
-                        phi_597_ = _e344;
+                        let _e344 = phi_602_;
+                        phi_603_ = _e344;
                     } else {
-                        phi_597_ = 0i;
+                        phi_603_ = 0i;
                     }
-                    let _e346 = phi_597_;
+                    let _e346 = phi_603_;
                     let _e347 = (_e256 == _e300);
                     if _e347 {
-                        phi_607_ = true;
+                        phi_613_ = true;
                     } else {
-                        phi_607_ = (_e264 == _e300);
+                        phi_613_ = (_e264 == _e300);
                     }
-                    let _e350 = phi_607_;
+                    let _e350 = phi_613_;
                     let _e351 = select(1u, 0u, _e347);
                     if _e350 {
                         let _e352 = (_e351 + 1u);
-                        phi_617_ = _e352;
-                        phi_618_ = _e352;
-                        phi_620_ = select(true, false, (_e352 == 2u));
+                        phi_623_ = _e352;
+                        phi_624_ = _e352;
+                        phi_626_ = select(true, false, (_e352 == 2u));
                     } else {
-                        phi_617_ = u32();
-                        phi_618_ = 0u;
-                        phi_620_ = true;
+                        phi_623_ = u32();
+                        phi_624_ = 0u;
+                        phi_626_ = true;
                     }
-                    let _e356 = phi_617_;
-                    let _e358 = phi_618_;
-                    let _e360 = phi_620_;
+                    let _e356 = phi_623_;
+                    let _e358 = phi_624_;
+                    let _e360 = phi_626_;
                     if _e360 {
-                        phi_625_ = (_e358 + 1u);
+                        phi_631_ = (_e358 + 1u);
                     } else {
-                        phi_625_ = 0u;
+                        phi_631_ = 0u;
                     }
-                    let _e364 = phi_625_;
+                    let _e364 = phi_631_;
                     let _e365 = select(_e356, _e358, _e360);
                     let _e366 = select(_e351, select(2u, _e351, _e350), _e360);
                     let _e367 = -(_e346);
                     if (_e367 < -126i) {
-                        phi_657_ = -126i;
+                        phi_664_ = -126i;
                     } else {
-                        phi_657_ = select(_e367, 127i, (_e367 > 127i));
+                        phi_664_ = select(_e367, 127i, (_e367 > 127i));
                     }
-                    let _e372 = phi_657_;
+                    let _e372 = phi_664_;
                     let _e377 = bitcast<f32>((bitcast<u32>((_e372 + 127i)) << bitcast<u32>(23i)));
                     let _e383 = bitcast<f32>((bitcast<u32>(((_e367 - _e372) + 127i)) << bitcast<u32>(23i)));
                     let _e388 = global_7.member[_e104].member.member;
                     let _e389 = (_e365 == 0u);
                     if _e389 {
-                        phi_675_ = _e388[0];
+                        phi_682_ = _e388[0];
                     } else {
-                        phi_675_ = _e388[1];
+                        phi_682_ = _e388[1];
                     }
-                    let _e393 = phi_675_;
+                    let _e393 = phi_682_;
                     let _e394 = (_e365 == 2u);
                     if _e394 {
-                        phi_681_ = _e388[2];
+                        phi_688_ = _e388[2];
                     } else {
-                        phi_681_ = _e393;
+                        phi_688_ = _e393;
                     }
-                    let _e397 = phi_681_;
+                    let _e397 = phi_688_;
                     let _e398 = bitcast<u32>(_e397);
                     let _e400 = ((_e398 & 2139095040u) != 0u);
                     let _e412 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e398 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e398 & 2147483648u))), _e397, _e400) * select(0.00000011920929f, 1f, _e400));
                     let _e413 = global_7.member[_e104].member.member_2;
                     if _e389 {
-                        phi_721_ = _e413[0];
+                        phi_728_ = _e413[0];
                     } else {
-                        phi_721_ = _e413[1];
+                        phi_728_ = _e413[1];
                     }
-                    let _e417 = phi_721_;
+                    let _e417 = phi_728_;
                     if _e394 {
-                        phi_727_ = _e413[2];
+                        phi_734_ = _e413[2];
                     } else {
-                        phi_727_ = _e417;
+                        phi_734_ = _e417;
                     }
-                    let _e420 = phi_727_;
+                    let _e420 = phi_734_;
                     let _e421 = bitcast<u32>(_e420);
                     let _e423 = ((_e421 & 2139095040u) != 0u);
                     let _e437 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e421 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e421 & 2147483648u))), _e420, _e423) * _e377) * select(0.00000011920929f, 1f, _e423)) * _e383);
                     let _e441 = (bitcast<f32>((bitcast<u32>(_e437) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e441 {
                         let _e445 = (bitcast<f32>((bitcast<u32>(_e412) & 2147483647u)) * 0.00000011920929f);
-                        phi_779_ = select(0.00000000000011368684f, _e445, (_e445 > 0.00000000000011368684f));
+                        phi_786_ = select(0.00000000000011368684f, _e445, (_e445 > 0.00000000000011368684f));
                     } else {
-                        phi_779_ = 0f;
+                        phi_786_ = 0f;
                     }
-                    let _e449 = phi_779_;
+                    let _e449 = phi_786_;
                     let _e450 = (_e412 + _e449);
                     let _e451 = (_e412 - _e449);
                     let _e452 = select(_e437, 0f, _e441);
                     if _e441 {
-                        phi_790_ = 38685626000000000000000000f;
+                        phi_798_ = 38685626000000000000000000f;
                     } else {
-                        phi_790_ = (1f / _e437);
+                        phi_798_ = (1f / _e437);
                     }
-                    let _e455 = phi_790_;
+                    let _e455 = phi_798_;
                     let _e456 = (_e364 == 0u);
                     if _e456 {
-                        phi_799_ = _e388[0];
+                        phi_807_ = _e388[0];
                     } else {
-                        phi_799_ = _e388[1];
+                        phi_807_ = _e388[1];
                     }
-                    let _e460 = phi_799_;
+                    let _e460 = phi_807_;
                     let _e461 = (_e364 == 2u);
                     if _e461 {
-                        phi_805_ = _e388[2];
+                        phi_813_ = _e388[2];
                     } else {
-                        phi_805_ = _e460;
+                        phi_813_ = _e460;
                     }
-                    let _e464 = phi_805_;
+                    let _e464 = phi_813_;
                     let _e465 = bitcast<u32>(_e464);
                     let _e467 = ((_e465 & 2139095040u) != 0u);
                     let _e479 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e465 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e465 & 2147483648u))), _e464, _e467) * select(0.00000011920929f, 1f, _e467));
                     if _e456 {
-                        phi_845_ = _e413[0];
+                        phi_853_ = _e413[0];
                     } else {
-                        phi_845_ = _e413[1];
+                        phi_853_ = _e413[1];
                     }
-                    let _e483 = phi_845_;
+                    let _e483 = phi_853_;
                     if _e461 {
-                        phi_851_ = _e413[2];
+                        phi_859_ = _e413[2];
                     } else {
-                        phi_851_ = _e483;
+                        phi_859_ = _e483;
                     }
-                    let _e486 = phi_851_;
+                    let _e486 = phi_859_;
                     let _e487 = bitcast<u32>(_e486);
                     let _e489 = ((_e487 & 2139095040u) != 0u);
                     let _e503 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e487 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e487 & 2147483648u))), _e486, _e489) * _e377) * select(0.00000011920929f, 1f, _e489)) * _e383);
                     let _e507 = (bitcast<f32>((bitcast<u32>(_e503) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e507 {
                         let _e511 = (bitcast<f32>((bitcast<u32>(_e479) & 2147483647u)) * 0.00000011920929f);
-                        phi_903_ = select(0.00000000000011368684f, _e511, (_e511 > 0.00000000000011368684f));
+                        phi_911_ = select(0.00000000000011368684f, _e511, (_e511 > 0.00000000000011368684f));
                     } else {
-                        phi_903_ = 0f;
+                        phi_911_ = 0f;
                     }
-                    let _e515 = phi_903_;
+                    let _e515 = phi_911_;
                     let _e516 = (_e479 + _e515);
                     let _e517 = (_e479 - _e515);
                     let _e518 = select(_e503, 0f, _e507);
                     if _e507 {
-                        phi_914_ = 38685626000000000000000000f;
+                        phi_923_ = 38685626000000000000000000f;
                     } else {
-                        phi_914_ = (1f / _e503);
+                        phi_923_ = (1f / _e503);
                     }
-                    let _e521 = phi_914_;
+                    let _e521 = phi_923_;
                     let _e522 = (_e366 == 0u);
                     if _e522 {
-                        phi_923_ = _e388[0];
+                        phi_932_ = _e388[0];
                     } else {
-                        phi_923_ = _e388[1];
+                        phi_932_ = _e388[1];
                     }
-                    let _e526 = phi_923_;
+                    let _e526 = phi_932_;
                     let _e527 = (_e366 == 2u);
                     if _e527 {
-                        phi_929_ = _e388[2];
+                        phi_938_ = _e388[2];
                     } else {
-                        phi_929_ = _e526;
+                        phi_938_ = _e526;
                     }
-                    let _e530 = phi_929_;
+                    let _e530 = phi_938_;
                     let _e531 = bitcast<u32>(_e530);
                     let _e533 = ((_e531 & 2139095040u) != 0u);
                     let _e545 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e531 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e531 & 2147483648u))), _e530, _e533) * select(0.00000011920929f, 1f, _e533));
                     if _e522 {
-                        phi_969_ = _e413[0];
+                        phi_978_ = _e413[0];
                     } else {
-                        phi_969_ = _e413[1];
+                        phi_978_ = _e413[1];
                     }
-                    let _e549 = phi_969_;
+                    let _e549 = phi_978_;
                     if _e527 {
-                        phi_975_ = _e413[2];
+                        phi_984_ = _e413[2];
                     } else {
-                        phi_975_ = _e549;
+                        phi_984_ = _e549;
                     }
-                    let _e552 = phi_975_;
+                    let _e552 = phi_984_;
                     let _e553 = bitcast<u32>(_e552);
                     let _e555 = ((_e553 & 2139095040u) != 0u);
                     let _e569 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e553 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e553 & 2147483648u))), _e552, _e555) * _e377) * select(0.00000011920929f, 1f, _e555)) * _e383);
                     let _e573 = (bitcast<f32>((bitcast<u32>(_e569) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e573 {
                         let _e577 = (bitcast<f32>((bitcast<u32>(_e545) & 2147483647u)) * 0.00000011920929f);
-                        phi_1027_ = select(0.00000000000011368684f, _e577, (_e577 > 0.00000000000011368684f));
+                        phi_1036_ = select(0.00000000000011368684f, _e577, (_e577 > 0.00000000000011368684f));
                     } else {
-                        phi_1027_ = 0f;
+                        phi_1036_ = 0f;
                     }
-                    let _e581 = phi_1027_;
+                    let _e581 = phi_1036_;
                     let _e582 = (_e545 + _e581);
                     let _e583 = (_e545 - _e581);
                     let _e584 = select(_e569, 0f, _e573);
                     if _e573 {
-                        phi_1038_ = 38685626000000000000000000f;
+                        phi_1048_ = 38685626000000000000000000f;
                     } else {
-                        phi_1038_ = (1f / _e569);
+                        phi_1048_ = (1f / _e569);
                     }
-                    let _e587 = phi_1038_;
+                    let _e587 = phi_1048_;
                     let _e590 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
                     let _e593 = bitcast<f32>((bitcast<u32>(_e479) & 2147483647u));
                     let _e595 = select(_e593, _e590, (_e590 > _e593));
@@ -576,146 +576,146 @@ fn function_() {
                         let _e617 = (_e610 == 0u);
                         let _e620 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e610)), 32u, _e617)) - 8i);
                         if (_e613 == 255i) {
-                            phi_1093_ = 255i;
+                            phi_1103_ = 255i;
                         } else {
-                            phi_1093_ = (((_e613 + select(0i, 1i, (_e613 == 0i))) - _e620) + _e346);
+                            phi_1103_ = (((_e613 + select(0i, 1i, (_e613 == 0i))) - _e620) + _e346);
                         }
-                        let _e628 = phi_1093_;
+                        let _e628 = phi_1103_;
                         let _e638 = (_e628 <= 0i);
                         if _e638 {
-                            phi_1116_ = u32();
+                            phi_1126_ = u32();
                         } else {
                             if _e617 {
-                                phi_1115_ = u32();
+                                phi_1125_ = u32();
                             } else {
-                                phi_1115_ = select(((bitcast<u32>(_e628) << bitcast<u32>(23i)) | ((_e610 << bitcast<u32>(((_e620 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e628 >= 255i));
+                                phi_1125_ = select(((bitcast<u32>(_e628) << bitcast<u32>(23i)) | ((_e610 << bitcast<u32>(((_e620 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e628 >= 255i));
                             }
-                            let _e642 = phi_1115_;
-                            phi_1116_ = _e642;
+                            let _e642 = phi_1125_;
+                            phi_1126_ = _e642;
                         }
-                        let _e644 = phi_1116_;
+                        let _e644 = phi_1126_;
                         let _e656 = ((_e323 & 8388607u) | (select(0u, 1u, ((_e323 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e659 = bitcast<i32>((_e323 >> bitcast<u32>(23i)));
                         let _e663 = (_e656 == 0u);
                         let _e666 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e656)), 32u, _e663)) - 8i);
                         if (_e659 == 255i) {
-                            phi_1153_ = 255i;
+                            phi_1163_ = 255i;
                         } else {
-                            phi_1153_ = (((_e659 + select(0i, 1i, (_e659 == 0i))) - _e666) + _e346);
+                            phi_1163_ = (((_e659 + select(0i, 1i, (_e659 == 0i))) - _e666) + _e346);
                         }
-                        let _e674 = phi_1153_;
+                        let _e674 = phi_1163_;
                         let _e684 = (_e674 <= 0i);
                         if _e684 {
-                            phi_1176_ = u32();
+                            phi_1186_ = u32();
                         } else {
                             if _e663 {
-                                phi_1175_ = u32();
+                                phi_1185_ = u32();
                             } else {
-                                phi_1175_ = select(((bitcast<u32>(_e674) << bitcast<u32>(23i)) | ((_e656 << bitcast<u32>(((_e666 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e674 >= 255i));
+                                phi_1185_ = select(((bitcast<u32>(_e674) << bitcast<u32>(23i)) | ((_e656 << bitcast<u32>(((_e666 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e674 >= 255i));
                             }
-                            let _e688 = phi_1175_;
-                            phi_1176_ = _e688;
+                            let _e688 = phi_1185_;
+                            phi_1186_ = _e688;
                         }
-                        let _e690 = phi_1176_;
-                        phi_1184_ = bitcast<f32>(((_e322 & 2147483648u) | select(_e690, 0u, select(_e663, true, _e684))));
-                        phi_1185_ = bitcast<f32>(((_e312 & 2147483648u) | select(_e644, 0u, select(_e617, true, _e638))));
+                        let _e690 = phi_1186_;
+                        phi_1194_ = bitcast<f32>(((_e322 & 2147483648u) | select(_e690, 0u, select(_e663, true, _e684))));
+                        phi_1195_ = bitcast<f32>(((_e312 & 2147483648u) | select(_e644, 0u, select(_e617, true, _e638))));
                     } else {
-                        phi_1184_ = 0f;
-                        phi_1185_ = 1f;
+                        phi_1194_ = 0f;
+                        phi_1195_ = 1f;
                     }
-                    let _e696 = phi_1184_;
-                    let _e698 = phi_1185_;
+                    let _e696 = phi_1194_;
+                    let _e698 = phi_1195_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_3319_ = false;
-                    phi_1196_ = type_49(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e696);
-                    phi_1199_ = select(0u, 2147483648u, (_e86 == 0u));
-                    phi_1201_ = ((3u * _e86) + 1u);
-                    phi_1203_ = (_e698 <= _e696);
-                    phi_1205_ = 0u;
+                    phi_3432_ = false;
+                    phi_1210_ = type_50(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e696);
+                    phi_1213_ = (_e698 <= _e696);
+                    phi_1215_ = ((3u * _e86) + 1u);
+                    phi_1217_ = 0u;
+                    phi_1219_ = select(0u, 2147483648u, (_e86 == 0u));
                     loop {
-                        let _e706 = phi_3319_;
-                        let _e708 = phi_1196_;
-                        let _e710 = phi_1199_;
-                        let _e712 = phi_1201_;
-                        let _e714 = phi_1203_;
-                        let _e716 = phi_1205_;
+                        let _e706 = phi_3432_;
+                        let _e708 = phi_1210_;
+                        let _e710 = phi_1213_;
+                        let _e712 = phi_1215_;
+                        let _e714 = phi_1217_;
+                        let _e716 = phi_1219_;
                         local_2 = _e708;
-                        if _e714 {
-                            phi_1216_ = true;
+                        if _e710 {
+                            phi_1230_ = true;
                         } else {
-                            phi_1216_ = (_e716 > 0u);
+                            phi_1230_ = (_e714 > 0u);
                         }
-                        let _e719 = phi_1216_;
+                        let _e719 = phi_1230_;
                         if _e719 {
                             let _e720 = (_e712 > 0u);
                             if _e720 {
-                                if _e714 {
-                                    phi_1248_ = _e710;
-                                    phi_1249_ = _e714;
-                                    phi_1250_ = _e716;
+                                if _e710 {
+                                    phi_1262_ = _e710;
+                                    phi_1263_ = _e714;
+                                    phi_1264_ = _e716;
                                 } else {
-                                    let _e721 = (_e716 - 1u);
+                                    let _e721 = (_e714 - 1u);
                                     let _e722 = (_e721 % 128u);
                                     let _e723 = (_e722 < 128u);
                                     if _e723 {
                                     } else {
-                                        phi_3505_ = true;
+                                        phi_3618_ = true;
                                         break;
                                     }
                                     let _e725 = local_1[_e722];
                                     if _e723 {
                                     } else {
-                                        phi_3505_ = true;
+                                        phi_3618_ = true;
                                         break;
                                     }
                                     let _e727 = local[_e722];
-                                    phi_1248_ = _e725;
-                                    phi_1249_ = (_e727 <= _e708.member_1);
-                                    phi_1250_ = _e721;
+                                    phi_1262_ = (_e727 <= _e708.member_1);
+                                    phi_1263_ = _e721;
+                                    phi_1264_ = _e725;
                                 }
-                                let _e731 = phi_1248_;
-                                let _e733 = phi_1249_;
-                                let _e735 = phi_1250_;
-                                if _e733 {
-                                    if ((_e731 & 2147483648u) != 0u) {
-                                        phi_1265_ = _e708;
-                                        phi_1268_ = type_8(0u, ((_e731 >> bitcast<u32>(28u)) & 7u));
+                                let _e731 = phi_1262_;
+                                let _e733 = phi_1263_;
+                                let _e735 = phi_1264_;
+                                if _e731 {
+                                    if ((_e735 & 2147483648u) != 0u) {
+                                        phi_1279_ = _e708;
+                                        phi_1282_ = type_8(0u, ((_e735 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e933 = phi_1265_;
-                                            let _e935 = phi_1268_;
+                                            let _e933 = phi_1279_;
+                                            let _e935 = phi_1282_;
                                             local_3 = _e933;
                                             if (_e935.member < _e935.member_1) {
-                                                phi_1269_ = type_8((_e935.member + 1u), _e935.member_1);
-                                                phi_1291_ = type_8(1u, _e935.member);
+                                                phi_1283_ = type_8((_e935.member + 1u), _e935.member_1);
+                                                phi_1305_ = type_8(1u, _e935.member);
                                             } else {
-                                                phi_1269_ = _e935;
-                                                phi_1291_ = type_8(0u, type_8().member_1);
+                                                phi_1283_ = _e935;
+                                                phi_1305_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e948 = phi_1269_;
-                                            let _e950 = phi_1291_;
+                                            let _e948 = phi_1283_;
+                                            let _e950 = phi_1305_;
                                             let _e954 = (bitcast<i32>(_e950.member) != 0i);
                                             if _e954 {
-                                                let _e955 = ((_e731 & 268435455u) + _e950.member_1);
+                                                let _e955 = ((_e735 & 268435455u) + _e950.member_1);
                                                 let _e956 = (_e955 < _e88);
                                                 if _e956 {
                                                     if _e956 {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e960 = global_2.member[_e955].member_1;
-                                                    phi_1312_ = _e960;
+                                                    phi_1326_ = _e960;
                                                 } else {
-                                                    phi_1312_ = 4294967295u;
+                                                    phi_1326_ = 4294967295u;
                                                 }
-                                                let _e962 = phi_1312_;
+                                                let _e962 = phi_1326_;
                                                 if (_e955 >= _e88) {
-                                                    phi_1401_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1418_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e956 {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e964 = (_e365 % 3u);
@@ -723,67 +723,67 @@ fn function_() {
                                                     let _e966 = (_e366 % 3u);
                                                     if (_e964 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e972 = global_2.member[_e955].member[_e964];
                                                     if (_e965 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e978 = global_2.member[_e955].member[_e965];
                                                     if (_e966 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e984 = global_2.member[_e955].member[_e966];
                                                     let _e986 = (3u + _e964);
                                                     if (_e986 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e992 = global_2.member[_e955].member[_e986];
                                                     let _e993 = (3u + _e965);
                                                     if (_e993 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e999 = global_2.member[_e955].member[_e993];
                                                     let _e1000 = (3u + _e966);
                                                     if (_e1000 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e1006 = global_2.member[_e955].member[_e1000];
                                                     let _e1008 = (6u + _e964);
                                                     if (_e1008 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e1014 = global_2.member[_e955].member[_e1008];
                                                     let _e1015 = (6u + _e965);
                                                     if (_e1015 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e1021 = global_2.member[_e955].member[_e1015];
                                                     let _e1022 = (6u + _e966);
                                                     if (_e1022 < 9u) {
                                                     } else {
-                                                        phi_3313_ = true;
+                                                        phi_3426_ = true;
                                                         break;
                                                     }
                                                     let _e1028 = global_2.member[_e955].member[_e1022];
-                                                    phi_1401_ = array<array<f32, 3>, 3>(array<f32, 3>(_e972, _e978, _e984), array<f32, 3>(_e992, _e999, _e1006), array<f32, 3>(_e1014, _e1021, _e1028));
+                                                    phi_1418_ = array<array<f32, 3>, 3>(array<f32, 3>(_e972, _e978, _e984), array<f32, 3>(_e992, _e999, _e1006), array<f32, 3>(_e1014, _e1021, _e1028));
                                                 }
-                                                let _e1032 = phi_1401_;
+                                                let _e1032 = phi_1418_;
                                                 let _e1040 = (_e1032[0][2] - _e545);
                                                 let _e1043 = (((_e1032[0][0] - _e412) * _e584) - (_e1040 * _e452));
                                                 let _e1046 = (((_e1032[0][1] - _e479) * _e584) - (_e1040 * _e518));
@@ -810,34 +810,34 @@ fn function_() {
                                                     let _e1102 = select(0f, _e1100, (_e1100 > 0f));
                                                     let _e1104 = ((_e1094 + _e1098) + _e1102);
                                                     if (_e1104 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2226_ = type_28();
-                                                        phi_2227_ = true;
-                                                        phi_2228_ = false;
+                                                        phi_2302_ = type_28();
+                                                        phi_2303_ = true;
+                                                        phi_2304_ = false;
                                                     } else {
                                                         let _e1107 = select(_e1056, _e1043, (_e1043 < _e1056));
                                                         if (select(_e1069, _e1107, (_e1107 < _e1069)) > 0f) {
-                                                            phi_1518_ = true;
+                                                            phi_1570_ = true;
                                                         } else {
                                                             let _e1112 = select(_e1056, _e1043, (_e1043 > _e1056));
-                                                            phi_1518_ = (select(_e1069, _e1112, (_e1112 > _e1069)) < 0f);
+                                                            phi_1570_ = (select(_e1069, _e1112, (_e1112 > _e1069)) < 0f);
                                                         }
-                                                        let _e1117 = phi_1518_;
+                                                        let _e1117 = phi_1570_;
                                                         if _e1117 {
-                                                            phi_2223_ = type_28();
-                                                            phi_2224_ = true;
-                                                            phi_2225_ = false;
+                                                            phi_2299_ = type_28();
+                                                            phi_2300_ = true;
+                                                            phi_2301_ = false;
                                                         } else {
                                                             let _e1119 = select(_e1059, _e1046, (_e1046 < _e1059));
                                                             if (select(_e1072, _e1119, (_e1119 < _e1072)) > 0f) {
-                                                                phi_1547_ = true;
+                                                                phi_1599_ = true;
                                                             } else {
                                                                 let _e1124 = select(_e1059, _e1046, (_e1046 > _e1059));
-                                                                phi_1547_ = (select(_e1072, _e1124, (_e1124 > _e1072)) < 0f);
+                                                                phi_1599_ = (select(_e1072, _e1124, (_e1124 > _e1072)) < 0f);
                                                             }
-                                                            let _e1129 = phi_1547_;
+                                                            let _e1129 = phi_1599_;
                                                             if _e1129 {
-                                                                phi_2221_ = type_28();
-                                                                phi_2222_ = false;
+                                                                phi_2297_ = type_28();
+                                                                phi_2298_ = false;
                                                             } else {
                                                                 let _e1131 = select(_e1032[1][0], _e1032[0][0], (_e1032[0][0] < _e1032[1][0]));
                                                                 let _e1135 = select(_e1032[1][0], _e1032[0][0], (_e1032[0][0] > _e1032[1][0]));
@@ -864,12 +864,12 @@ fn function_() {
                                                                 let _e1186 = -(_e1167);
                                                                 let _e1192 = select(_e698, _e1177, (_e1177 > _e698));
                                                                 if (_e1192 > (_e1185 + (select(_e1186, _e1169, (_e1169 > _e1186)) * 0.0000019073523f))) {
-                                                                    phi_2216_ = type_28();
-                                                                    phi_2217_ = true;
+                                                                    phi_2292_ = type_28();
+                                                                    phi_2293_ = true;
                                                                 } else {
                                                                     let _e1194 = (_e1192 > _e933.member_1);
                                                                     if _e1194 {
-                                                                        phi_2215_ = type_28();
+                                                                        phi_2291_ = type_28();
                                                                     } else {
                                                                         let _e1195 = vec3<f32>(_e1032[0][0], _e1032[0][1], _e1032[0][2]);
                                                                         let _e1196 = vec3<f32>(_e1032[1][0], _e1032[1][1], _e1032[1][2]);
@@ -904,49 +904,49 @@ fn function_() {
                                                                         let _e1250 = select(_e1235, _e1222, (_e1222 > _e1235));
                                                                         let _e1252 = select(_e1248, _e1250, (_e1250 > _e1248));
                                                                         if (_e1222 == _e1252) {
-                                                                            phi_1948_ = _e1059;
-                                                                            phi_1949_ = _e1056;
-                                                                            phi_1950_ = _e1046;
-                                                                            phi_1951_ = _e1043;
-                                                                            phi_1952_ = _e1195;
-                                                                            phi_1953_ = _e1209;
-                                                                            phi_1954_ = _e1205;
-                                                                            phi_1955_ = _e1201;
+                                                                            phi_2018_ = _e1059;
+                                                                            phi_2019_ = _e1056;
+                                                                            phi_2020_ = _e1046;
+                                                                            phi_2021_ = _e1043;
+                                                                            phi_2022_ = _e1195;
+                                                                            phi_2023_ = _e1209;
+                                                                            phi_2024_ = _e1205;
+                                                                            phi_2025_ = _e1201;
                                                                         } else {
                                                                             let _e1254 = (_e1235 == _e1252);
                                                                             let _e1259 = vec3(_e1254);
-                                                                            phi_1948_ = select(_e1046, _e1072, _e1254);
-                                                                            phi_1949_ = select(_e1043, _e1069, _e1254);
-                                                                            phi_1950_ = select(_e1072, _e1059, _e1254);
-                                                                            phi_1951_ = select(_e1069, _e1056, _e1254);
-                                                                            phi_1952_ = select(_e1197, _e1196, _e1259);
-                                                                            phi_1953_ = select(_e1205, _e1201, _e1259);
-                                                                            phi_1954_ = select(_e1201, _e1209, _e1259);
-                                                                            phi_1955_ = select(_e1209, _e1205, _e1259);
+                                                                            phi_2018_ = select(_e1046, _e1072, _e1254);
+                                                                            phi_2019_ = select(_e1043, _e1069, _e1254);
+                                                                            phi_2020_ = select(_e1072, _e1059, _e1254);
+                                                                            phi_2021_ = select(_e1069, _e1056, _e1254);
+                                                                            phi_2022_ = select(_e1197, _e1196, _e1259);
+                                                                            phi_2023_ = select(_e1205, _e1201, _e1259);
+                                                                            phi_2024_ = select(_e1201, _e1209, _e1259);
+                                                                            phi_2025_ = select(_e1209, _e1205, _e1259);
                                                                         }
-                                                                        let _e1265 = phi_1948_;
-                                                                        let _e1267 = phi_1949_;
-                                                                        let _e1269 = phi_1950_;
-                                                                        let _e1271 = phi_1951_;
-                                                                        let _e1273 = phi_1952_;
-                                                                        let _e1275 = phi_1953_;
-                                                                        let _e1277 = phi_1954_;
-                                                                        let _e1279 = phi_1955_;
+                                                                        let _e1265 = phi_2018_;
+                                                                        let _e1267 = phi_2019_;
+                                                                        let _e1269 = phi_2020_;
+                                                                        let _e1271 = phi_2021_;
+                                                                        let _e1273 = phi_2022_;
+                                                                        let _e1275 = phi_2023_;
+                                                                        let _e1277 = phi_2024_;
+                                                                        let _e1279 = phi_2025_;
                                                                         let _e1286 = ((_e1277.y * _e1275.z) - (_e1275.y * _e1277.z));
                                                                         let _e1291 = ((_e1277.z * _e1275.x) - (_e1275.z * _e1277.x));
                                                                         let _e1294 = ((_e1277.x * _e1275.y) - (_e1275.x * _e1277.y));
                                                                         if (_e1094 >= _e1098) {
-                                                                            phi_1986_ = select(true, false, (_e1094 >= _e1102));
+                                                                            phi_2062_ = select(true, false, (_e1094 >= _e1102));
                                                                         } else {
-                                                                            phi_1986_ = true;
+                                                                            phi_2062_ = true;
                                                                         }
-                                                                        let _e1299 = phi_1986_;
+                                                                        let _e1299 = phi_2062_;
                                                                         if _e1299 {
-                                                                            phi_1995_ = select(_e1197, _e1196, vec3((_e1098 >= _e1102)));
+                                                                            phi_2071_ = select(_e1197, _e1196, vec3((_e1098 >= _e1102)));
                                                                         } else {
-                                                                            phi_1995_ = _e1195;
+                                                                            phi_2071_ = _e1195;
                                                                         }
-                                                                        let _e1304 = phi_1995_;
+                                                                        let _e1304 = phi_2071_;
                                                                         let _e1315 = (((_e1286 * (_e1304.x - _e412)) + (_e1291 * (_e1304.y - _e479))) + (_e1294 * (_e1304.z - _e545)));
                                                                         let _e1320 = (((_e1286 * _e452) + (_e1291 * _e518)) + (_e1294 * _e584));
                                                                         let _e1321 = (_e1267 - _e1271);
@@ -978,168 +978,168 @@ fn function_() {
                                                                             let _e1418 = bitcast<f32>((bitcast<u32>(_e1275.z) & 2147483647u));
                                                                             let _e1422 = (bitcast<f32>((bitcast<u32>(_e1320) & 2147483647u)) > ((0.0000038146973f * select(_e1404, _e1401, (_e1401 > _e1404))) * select(_e1418, _e1415, (_e1415 > _e1418))));
                                                                             if _e1422 {
-                                                                                phi_2160_ = (_e1315 / _e1320);
+                                                                                phi_2236_ = (_e1315 / _e1320);
                                                                             } else {
-                                                                                phi_2160_ = f32();
+                                                                                phi_2236_ = f32();
                                                                             }
-                                                                            let _e1425 = phi_2160_;
-                                                                            phi_2162_ = _e1425;
-                                                                            phi_2163_ = select(true, false, _e1422);
+                                                                            let _e1425 = phi_2236_;
+                                                                            phi_2238_ = _e1425;
+                                                                            phi_2239_ = select(true, false, _e1422);
                                                                         } else {
-                                                                            phi_2162_ = f32();
-                                                                            phi_2163_ = true;
+                                                                            phi_2238_ = f32();
+                                                                            phi_2239_ = true;
                                                                         }
-                                                                        let _e1428 = phi_2162_;
-                                                                        let _e1430 = phi_2163_;
+                                                                        let _e1428 = phi_2238_;
+                                                                        let _e1430 = phi_2239_;
                                                                         if _e1430 {
                                                                             let _e1438 = (((_e1286 * (_e1347 - (_e452 * _e1350))) + (_e1291 * (_e1348 - (_e518 * _e1350)))) / _e1320);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u)) <= _e1252) {
-                                                                                phi_2183_ = (_e1350 + _e1438);
+                                                                                phi_2259_ = (_e1350 + _e1438);
                                                                             } else {
-                                                                                phi_2183_ = _e1350;
+                                                                                phi_2259_ = _e1350;
                                                                             }
-                                                                            let _e1445 = phi_2183_;
-                                                                            phi_2184_ = _e1445;
+                                                                            let _e1445 = phi_2259_;
+                                                                            phi_2260_ = _e1445;
                                                                         } else {
-                                                                            phi_2184_ = _e1428;
+                                                                            phi_2260_ = _e1428;
                                                                         }
-                                                                        let _e1447 = phi_2184_;
+                                                                        let _e1447 = phi_2260_;
                                                                         let _e1449 = select(_e1185, _e1447, (_e1447 < _e1185));
                                                                         let _e1451 = select(_e1177, _e1449, (_e1449 > _e1177));
                                                                         if (_e1451 >= _e698) {
                                                                             let _e1453 = (_e1451 <= _e933.member_1);
                                                                             if _e1453 {
                                                                                 let _e1454 = (1f / _e1104);
-                                                                                phi_2207_ = type_28(_e1451, (_e1098 * _e1454), (_e1102 * _e1454), _e962);
+                                                                                phi_2283_ = type_28(_e1451, (_e1098 * _e1454), (_e1102 * _e1454), _e962);
                                                                             } else {
-                                                                                phi_2207_ = type_28();
+                                                                                phi_2283_ = type_28();
                                                                             }
-                                                                            let _e1459 = phi_2207_;
-                                                                            phi_2209_ = _e1459;
-                                                                            phi_2210_ = select(true, false, _e1453);
+                                                                            let _e1459 = phi_2283_;
+                                                                            phi_2285_ = _e1459;
+                                                                            phi_2286_ = select(true, false, _e1453);
                                                                         } else {
-                                                                            phi_2209_ = type_28();
-                                                                            phi_2210_ = true;
+                                                                            phi_2285_ = type_28();
+                                                                            phi_2286_ = true;
                                                                         }
-                                                                        let _e1462 = phi_2209_;
-                                                                        let _e1464 = phi_2210_;
+                                                                        let _e1462 = phi_2285_;
+                                                                        let _e1464 = phi_2286_;
                                                                         if _e1464 {
-                                                                            phi_2214_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2290_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2214_ = _e1462;
+                                                                            phi_2290_ = _e1462;
                                                                         }
-                                                                        let _e1466 = phi_2214_;
-                                                                        phi_2215_ = _e1466;
+                                                                        let _e1466 = phi_2290_;
+                                                                        phi_2291_ = _e1466;
                                                                     }
-                                                                    let _e1468 = phi_2215_;
-                                                                    phi_2216_ = _e1468;
-                                                                    phi_2217_ = _e1194;
+                                                                    let _e1468 = phi_2291_;
+                                                                    phi_2292_ = _e1468;
+                                                                    phi_2293_ = _e1194;
                                                                 }
-                                                                let _e1470 = phi_2216_;
-                                                                let _e1472 = phi_2217_;
-                                                                phi_2221_ = _e1470;
-                                                                phi_2222_ = _e1472;
+                                                                let _e1470 = phi_2292_;
+                                                                let _e1472 = phi_2293_;
+                                                                phi_2297_ = _e1470;
+                                                                phi_2298_ = _e1472;
                                                             }
-                                                            let _e1474 = phi_2221_;
-                                                            let _e1476 = phi_2222_;
-                                                            phi_2223_ = _e1474;
-                                                            phi_2224_ = _e1129;
-                                                            phi_2225_ = _e1476;
+                                                            let _e1474 = phi_2297_;
+                                                            let _e1476 = phi_2298_;
+                                                            phi_2299_ = _e1474;
+                                                            phi_2300_ = _e1129;
+                                                            phi_2301_ = _e1476;
                                                         }
-                                                        let _e1478 = phi_2223_;
-                                                        let _e1480 = phi_2224_;
-                                                        let _e1482 = phi_2225_;
-                                                        phi_2226_ = _e1478;
-                                                        phi_2227_ = _e1480;
-                                                        phi_2228_ = _e1482;
+                                                        let _e1478 = phi_2299_;
+                                                        let _e1480 = phi_2300_;
+                                                        let _e1482 = phi_2301_;
+                                                        phi_2302_ = _e1478;
+                                                        phi_2303_ = _e1480;
+                                                        phi_2304_ = _e1482;
                                                     }
-                                                    let _e1484 = phi_2226_;
-                                                    let _e1486 = phi_2227_;
-                                                    let _e1488 = phi_2228_;
-                                                    phi_2236_ = _e1484;
-                                                    phi_2237_ = select(_e1488, true, _e1486);
+                                                    let _e1484 = phi_2302_;
+                                                    let _e1486 = phi_2303_;
+                                                    let _e1488 = phi_2304_;
+                                                    phi_2312_ = _e1484;
+                                                    phi_2313_ = select(_e1488, true, _e1486);
                                                 } else {
-                                                    phi_2236_ = type_28();
-                                                    phi_2237_ = true;
+                                                    phi_2312_ = type_28();
+                                                    phi_2313_ = true;
                                                 }
-                                                let _e1491 = phi_2236_;
-                                                let _e1493 = phi_2237_;
+                                                let _e1491 = phi_2312_;
+                                                let _e1493 = phi_2313_;
                                                 if _e1493 {
-                                                    phi_2241_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2317_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2241_ = _e1491;
+                                                    phi_2317_ = _e1491;
                                                 }
-                                                let _e1495 = phi_2241_;
+                                                let _e1495 = phi_2317_;
                                                 if (_e1495.member_3 != 4294967295u) {
                                                     if (_e962 == _e111) {
-                                                        phi_2570_ = false;
+                                                        phi_2652_ = false;
                                                     } else {
                                                         let _e1499 = (_e962 < arrayLength((&global_5.member)));
                                                         if _e1499 {
                                                             if _e1499 {
                                                             } else {
-                                                                phi_3313_ = true;
+                                                                phi_3426_ = true;
                                                                 break;
                                                             }
                                                             let _e1501 = global_5.member[_e962];
-                                                            phi_2264_ = _e1501;
+                                                            phi_2340_ = _e1501;
                                                         } else {
-                                                            phi_2264_ = 4294967295u;
+                                                            phi_2340_ = 4294967295u;
                                                         }
-                                                        let _e1503 = phi_2264_;
+                                                        let _e1503 = phi_2340_;
                                                         let _e1504 = (_e1503 < arrayLength((&global_6.member)));
                                                         if _e1504 {
                                                             if _e1504 {
                                                             } else {
-                                                                phi_3313_ = true;
+                                                                phi_3426_ = true;
                                                                 break;
                                                             }
                                                             let _e1506 = global_6.member[_e1503];
-                                                            phi_2278_ = _e1506;
+                                                            phi_2354_ = _e1506;
                                                         } else {
-                                                            phi_2278_ = 0i;
+                                                            phi_2354_ = 0i;
                                                         }
-                                                        let _e1508 = phi_2278_;
+                                                        let _e1508 = phi_2354_;
                                                         let _e1509 = (_e1508 == 0i);
                                                         if _e1509 {
-                                                            phi_2569_ = true;
+                                                            phi_2651_ = true;
                                                         } else {
                                                             if _e389 {
-                                                                phi_2299_ = vec3<f32>(_e1032[0][0], _e1032[0][1], _e1032[0][2]);
+                                                                phi_2377_ = vec3<f32>(_e1032[0][0], _e1032[0][1], _e1032[0][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2298_ = vec3<f32>(_e1032[0][2], _e1032[0][0], _e1032[0][1]);
+                                                                    phi_2376_ = vec3<f32>(_e1032[0][2], _e1032[0][0], _e1032[0][1]);
                                                                 } else {
-                                                                    phi_2298_ = vec3<f32>(_e1032[0][1], _e1032[0][2], _e1032[0][0]);
+                                                                    phi_2376_ = vec3<f32>(_e1032[0][1], _e1032[0][2], _e1032[0][0]);
                                                                 }
-                                                                let _e1514 = phi_2298_;
-                                                                phi_2299_ = _e1514;
+                                                                let _e1514 = phi_2376_;
+                                                                phi_2377_ = _e1514;
                                                             }
-                                                            let _e1517 = phi_2299_;
+                                                            let _e1517 = phi_2377_;
                                                             if _e389 {
-                                                                phi_2316_ = vec3<f32>(_e1032[1][0], _e1032[1][1], _e1032[1][2]);
+                                                                phi_2396_ = vec3<f32>(_e1032[1][0], _e1032[1][1], _e1032[1][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2315_ = vec3<f32>(_e1032[1][2], _e1032[1][0], _e1032[1][1]);
+                                                                    phi_2395_ = vec3<f32>(_e1032[1][2], _e1032[1][0], _e1032[1][1]);
                                                                 } else {
-                                                                    phi_2315_ = vec3<f32>(_e1032[1][1], _e1032[1][2], _e1032[1][0]);
+                                                                    phi_2395_ = vec3<f32>(_e1032[1][1], _e1032[1][2], _e1032[1][0]);
                                                                 }
-                                                                let _e1522 = phi_2315_;
-                                                                phi_2316_ = _e1522;
+                                                                let _e1522 = phi_2395_;
+                                                                phi_2396_ = _e1522;
                                                             }
-                                                            let _e1525 = phi_2316_;
+                                                            let _e1525 = phi_2396_;
                                                             if _e389 {
-                                                                phi_2333_ = vec3<f32>(_e1032[2][0], _e1032[2][1], _e1032[2][2]);
+                                                                phi_2415_ = vec3<f32>(_e1032[2][0], _e1032[2][1], _e1032[2][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2332_ = vec3<f32>(_e1032[2][2], _e1032[2][0], _e1032[2][1]);
+                                                                    phi_2414_ = vec3<f32>(_e1032[2][2], _e1032[2][0], _e1032[2][1]);
                                                                 } else {
-                                                                    phi_2332_ = vec3<f32>(_e1032[2][1], _e1032[2][2], _e1032[2][0]);
+                                                                    phi_2414_ = vec3<f32>(_e1032[2][1], _e1032[2][2], _e1032[2][0]);
                                                                 }
-                                                                let _e1530 = phi_2332_;
-                                                                phi_2333_ = _e1530;
+                                                                let _e1530 = phi_2414_;
+                                                                phi_2415_ = _e1530;
                                                             }
-                                                            let _e1533 = phi_2333_;
+                                                            let _e1533 = phi_2415_;
                                                             let _e1536 = (_e1525.x - _e1517.x);
                                                             let _e1539 = (_e1525.y - _e1517.y);
                                                             let _e1542 = (_e1525.z - _e1517.z);
@@ -1147,11 +1147,11 @@ fn function_() {
                                                             let _e1546 = (_e1533.y - _e1517.y);
                                                             let _e1548 = (_e1533.z - _e1517.z);
                                                             if (_e243.member_1 == 1u) {
-                                                                phi_2369_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1517);
+                                                                phi_2451_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1517);
                                                             } else {
-                                                                phi_2369_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
+                                                                phi_2451_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
                                                             }
-                                                            let _e1563 = phi_2369_;
+                                                            let _e1563 = phi_2451_;
                                                             let _e1569 = bitcast<f32>((bitcast<u32>((_e1536 * _e1546)) ^ _e243.member_3[0]));
                                                             let _e1573 = bitcast<f32>((bitcast<u32>((_e1539 * _e1544)) ^ _e243.member_3[0]));
                                                             let _e1577 = bitcast<f32>((bitcast<u32>((_e1539 * _e1548)) ^ _e243.member_3[0]));
@@ -1165,7 +1165,7 @@ fn function_() {
                                                             let _e1623 = (bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u)));
                                                             let _e1630 = (bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u)));
                                                             if (_e243.member_2 == 0f) {
-                                                                phi_2551_ = 0f;
+                                                                phi_2633_ = 0f;
                                                             } else {
                                                                 let _e1660 = bitcast<f32>((bitcast<u32>(_e1590) & 2147483647u));
                                                                 let _e1663 = bitcast<f32>((bitcast<u32>(_e1591) & 2147483647u));
@@ -1175,103 +1175,103 @@ fn function_() {
                                                                 let _e1676 = select(_e1663, _e1660, (_e1660 < _e1663));
                                                                 let _e1678 = select(_e1663, _e1660, (_e1660 > _e1663));
                                                                 let _e1680 = select(_e1666, _e1678, (_e1678 < _e1666));
-                                                                phi_2551_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1668, _e1660, (_e1660 > _e1668)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1680, _e1676, (_e1676 > _e1680)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1672, _e1660, (_e1660 < _e1672)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1616 + _e1623) + _e1630))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
+                                                                phi_2633_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1668, _e1660, (_e1660 > _e1668)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1680, _e1676, (_e1676 > _e1680)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1672, _e1660, (_e1660 < _e1672)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1616 + _e1623) + _e1630))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
                                                             }
-                                                            let _e1707 = phi_2551_;
-                                                            phi_2569_ = (_e1509 || !(((((bitcast<f32>((bitcast<u32>((_e1563.x * _e1590)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1563.y * _e1591)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1563.z * _e1592)) ^ _e243.member_3[0]))) * f32(-(_e1508))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.x) & 2147483647u)) * _e1616)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.y) & 2147483647u)) * _e1623)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.z) & 2147483647u)) * _e1630)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1707) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1707 = phi_2633_;
+                                                            phi_2651_ = (_e1509 || !(((((bitcast<f32>((bitcast<u32>((_e1563.x * _e1590)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1563.y * _e1591)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1563.z * _e1592)) ^ _e243.member_3[0]))) * f32(-(_e1508))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.x) & 2147483647u)) * _e1616)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.y) & 2147483647u)) * _e1623)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1563.z) & 2147483647u)) * _e1630)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1707) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1721 = phi_2569_;
-                                                        phi_2570_ = _e1721;
+                                                        let _e1721 = phi_2651_;
+                                                        phi_2652_ = _e1721;
                                                     }
-                                                    let _e1723 = phi_2570_;
+                                                    let _e1723 = phi_2652_;
                                                     if _e1723 {
                                                         if (_e1495.member < _e933.member.member) {
-                                                            phi_2590_ = true;
+                                                            phi_2672_ = true;
                                                         } else {
                                                             if (_e1495.member == _e933.member.member) {
-                                                                phi_2589_ = (_e1495.member_3 < _e933.member.member_3);
+                                                                phi_2671_ = (_e1495.member_3 < _e933.member.member_3);
                                                             } else {
-                                                                phi_2589_ = false;
+                                                                phi_2671_ = false;
                                                             }
-                                                            let _e1733 = phi_2589_;
-                                                            phi_2590_ = _e1733;
+                                                            let _e1733 = phi_2671_;
+                                                            phi_2672_ = _e1733;
                                                         }
-                                                        let _e1735 = phi_2590_;
+                                                        let _e1735 = phi_2672_;
                                                         if _e1735 {
-                                                            phi_2596_ = type_49(_e1495, _e1495.member);
+                                                            phi_2678_ = type_50(_e1495, _e1495.member);
                                                         } else {
-                                                            phi_2596_ = _e933;
+                                                            phi_2678_ = _e933;
                                                         }
-                                                        let _e1738 = phi_2596_;
-                                                        phi_2597_ = _e1738;
+                                                        let _e1738 = phi_2678_;
+                                                        phi_2679_ = _e1738;
                                                     } else {
-                                                        phi_2597_ = _e933;
+                                                        phi_2679_ = _e933;
                                                     }
-                                                    let _e1740 = phi_2597_;
-                                                    phi_2598_ = _e1740;
+                                                    let _e1740 = phi_2679_;
+                                                    phi_2680_ = _e1740;
                                                 } else {
-                                                    phi_2598_ = _e933;
+                                                    phi_2680_ = _e933;
                                                 }
-                                                let _e1742 = phi_2598_;
-                                                phi_1266_ = _e1742;
+                                                let _e1742 = phi_2680_;
+                                                phi_1280_ = _e1742;
                                             } else {
-                                                phi_1266_ = type_49();
+                                                phi_1280_ = type_50();
                                             }
-                                            let _e1744 = phi_1266_;
+                                            let _e1744 = phi_1280_;
                                             continue;
                                             continuing {
-                                                phi_1265_ = _e1744;
-                                                phi_1268_ = _e948;
-                                                phi_3313_ = _e706;
+                                                phi_1279_ = _e1744;
+                                                phi_1282_ = _e948;
+                                                phi_3426_ = _e706;
                                                 break if !(_e954);
                                             }
                                         }
-                                        let _e1747 = phi_3313_;
-                                        phi_3505_ = _e1747;
+                                        let _e1747 = phi_3426_;
+                                        phi_3618_ = _e1747;
                                         if _e1747 {
                                             break;
                                         }
-                                        phi_3509_ = _e1747;
+                                        phi_3622_ = _e1747;
                                         let _e2073 = local_3;
-                                        phi_3053_ = _e2073;
-                                        phi_3054_ = _e731;
-                                        phi_3055_ = false;
-                                        phi_3056_ = _e735;
+                                        phi_3166_ = _e2073;
+                                        phi_3167_ = false;
+                                        phi_3168_ = _e733;
+                                        phi_3169_ = _e735;
                                     } else {
-                                        if (_e731 >= _e86) {
-                                            phi_2658_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e735 >= _e86) {
+                                            phi_2750_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e731 < _e86) {
+                                            if (_e735 < _e86) {
                                             } else {
-                                                phi_3505_ = true;
+                                                phi_3618_ = true;
                                                 break;
                                             }
                                             let _e745 = (_e365 % 3u);
                                             if (_e745 < 3u) {
                                             } else {
-                                                phi_3505_ = true;
+                                                phi_3618_ = true;
                                                 break;
                                             }
-                                            let _e751 = global_4.member[_e731].member[_e745];
+                                            let _e751 = global_4.member[_e735].member[_e745];
                                             let _e757 = (_e364 % 3u);
                                             if (_e757 < 3u) {
                                             } else {
-                                                phi_3505_ = true;
+                                                phi_3618_ = true;
                                                 break;
                                             }
-                                            let _e763 = global_4.member[_e731].member[_e757];
+                                            let _e763 = global_4.member[_e735].member[_e757];
                                             let _e769 = (_e366 % 3u);
                                             if (_e769 < 3u) {
                                             } else {
-                                                phi_3505_ = true;
+                                                phi_3618_ = true;
                                                 break;
                                             }
-                                            let _e775 = global_4.member[_e731].member[_e769];
-                                            let _e785 = global_4.member[_e731].member_1;
-                                            let _e789 = global_4.member[_e731].member_2;
-                                            phi_2658_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e751[0], _e751[1], _e751[2], _e751[3]), vec4<f32>(_e763[0], _e763[1], _e763[2], _e763[3]), vec4<f32>(_e775[0], _e775[1], _e775[2], _e775[3])), _e785, _e789);
+                                            let _e775 = global_4.member[_e735].member[_e769];
+                                            let _e785 = global_4.member[_e735].member_1;
+                                            let _e789 = global_4.member[_e735].member_2;
+                                            phi_2750_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e751[0], _e751[1], _e751[2], _e751[3]), vec4<f32>(_e763[0], _e763[1], _e763[2], _e763[3]), vec4<f32>(_e775[0], _e775[1], _e775[2], _e775[3])), _e785, _e789);
                                         }
-                                        let _e792 = phi_2658_;
+                                        let _e792 = phi_2750_;
                                         let _e804 = ((_e792.member[0].x - _e450) * _e455);
                                         let _e805 = ((_e792.member[0].y - _e450) * _e455);
                                         let _e806 = ((_e792.member[0].z - _e451) * _e455);
@@ -1314,152 +1314,152 @@ fn function_() {
                                         if _e892 {
                                             if _e893 {
                                                 if _e894 {
-                                                    phi_3002_ = _e792.member_2;
+                                                    phi_3112_ = _e792.member_2;
                                                 } else {
-                                                    phi_3002_ = _e792.member_1;
+                                                    phi_3112_ = _e792.member_1;
                                                 }
-                                                let _e898 = phi_3002_;
-                                                let _e901 = (_e735 % 128u);
+                                                let _e898 = phi_3112_;
+                                                let _e901 = (_e733 % 128u);
                                                 let _e902 = (_e901 < 128u);
                                                 if _e902 {
                                                 } else {
-                                                    phi_3505_ = true;
+                                                    phi_3618_ = true;
                                                     break;
                                                 }
                                                 local_1[_e901] = _e898;
                                                 if _e902 {
                                                 } else {
-                                                    phi_3505_ = true;
+                                                    phi_3618_ = true;
                                                     break;
                                                 }
-                                                local[_e901] = select(_e887, _e885, (_e885 > _e887));
+                                                local[_e901] = select(_e887, _e885, !(_e894));
                                                 if _e894 {
-                                                    phi_3030_ = _e792.member_1;
+                                                    phi_3140_ = _e792.member_1;
                                                 } else {
-                                                    phi_3030_ = _e792.member_2;
+                                                    phi_3140_ = _e792.member_2;
                                                 }
-                                                let _e909 = phi_3030_;
-                                                phi_3031_ = _e909;
-                                                phi_3032_ = (_e735 + 1u);
+                                                let _e909 = phi_3140_;
+                                                phi_3141_ = (_e733 + 1u);
+                                                phi_3142_ = _e909;
                                             } else {
-                                                phi_3031_ = u32();
-                                                phi_3032_ = u32();
+                                                phi_3141_ = u32();
+                                                phi_3142_ = u32();
                                             }
-                                            let _e911 = phi_3031_;
-                                            let _e913 = phi_3032_;
-                                            phi_3034_ = _e911;
-                                            phi_3035_ = _e913;
-                                            phi_3036_ = select(true, false, _e893);
+                                            let _e911 = phi_3141_;
+                                            let _e913 = phi_3142_;
+                                            phi_3144_ = _e911;
+                                            phi_3145_ = _e913;
+                                            phi_3146_ = select(true, false, _e893);
                                         } else {
-                                            phi_3034_ = u32();
-                                            phi_3035_ = u32();
-                                            phi_3036_ = true;
+                                            phi_3144_ = u32();
+                                            phi_3145_ = u32();
+                                            phi_3146_ = true;
                                         }
-                                        let _e916 = phi_3034_;
-                                        let _e918 = phi_3035_;
-                                        let _e920 = phi_3036_;
+                                        let _e916 = phi_3144_;
+                                        let _e918 = phi_3145_;
+                                        let _e920 = phi_3146_;
                                         if _e920 {
                                             if _e892 {
-                                                phi_3045_ = _e792.member_1;
+                                                phi_3155_ = _e792.member_1;
                                             } else {
-                                                phi_3045_ = _e792.member_2;
+                                                phi_3155_ = _e792.member_2;
                                             }
-                                            let _e924 = phi_3045_;
-                                            phi_3050_ = _e924;
-                                            phi_3051_ = select(_e893, true, _e892);
+                                            let _e924 = phi_3155_;
+                                            phi_3160_ = select(_e893, true, _e892);
+                                            phi_3162_ = _e924;
                                         } else {
-                                            phi_3050_ = _e916;
-                                            phi_3051_ = _e733;
+                                            phi_3160_ = _e731;
+                                            phi_3162_ = _e918;
                                         }
-                                        let _e927 = phi_3050_;
-                                        let _e929 = phi_3051_;
-                                        phi_3509_ = _e706;
-                                        phi_3053_ = _e708;
-                                        phi_3054_ = _e927;
-                                        phi_3055_ = _e929;
-                                        phi_3056_ = select(_e918, _e735, _e920);
+                                        let _e927 = phi_3160_;
+                                        let _e929 = phi_3162_;
+                                        phi_3622_ = _e706;
+                                        phi_3166_ = _e708;
+                                        phi_3167_ = _e927;
+                                        phi_3168_ = select(_e916, _e733, _e920);
+                                        phi_3169_ = _e929;
                                     }
-                                    let _e1749 = phi_3509_;
-                                    let _e1751 = phi_3053_;
-                                    let _e1753 = phi_3054_;
-                                    let _e1755 = phi_3055_;
-                                    let _e1757 = phi_3056_;
-                                    phi_3508_ = _e1749;
-                                    phi_3057_ = _e1751;
-                                    phi_3058_ = _e1753;
-                                    phi_3059_ = (_e712 - 1u);
-                                    phi_3060_ = _e1755;
-                                    phi_3061_ = _e1757;
+                                    let _e1749 = phi_3622_;
+                                    let _e1751 = phi_3166_;
+                                    let _e1753 = phi_3167_;
+                                    let _e1755 = phi_3168_;
+                                    let _e1757 = phi_3169_;
+                                    phi_3621_ = _e1749;
+                                    phi_3170_ = _e1751;
+                                    phi_3171_ = _e1753;
+                                    phi_3172_ = (_e712 - 1u);
+                                    phi_3173_ = _e1755;
+                                    phi_3174_ = _e1757;
                                 } else {
-                                    phi_3508_ = _e706;
-                                    phi_3057_ = _e708;
-                                    phi_3058_ = _e731;
-                                    phi_3059_ = _e712;
-                                    phi_3060_ = _e733;
-                                    phi_3061_ = _e735;
+                                    phi_3621_ = _e706;
+                                    phi_3170_ = _e708;
+                                    phi_3171_ = _e731;
+                                    phi_3172_ = _e712;
+                                    phi_3173_ = _e733;
+                                    phi_3174_ = _e735;
                                 }
-                                let _e1759 = phi_3508_;
-                                let _e1761 = phi_3057_;
-                                let _e1763 = phi_3058_;
-                                let _e1765 = phi_3059_;
-                                let _e1767 = phi_3060_;
-                                let _e1769 = phi_3061_;
-                                phi_3507_ = _e1759;
-                                phi_3062_ = _e1761;
-                                phi_3063_ = _e1763;
-                                phi_3064_ = _e1765;
-                                phi_3065_ = _e1767;
-                                phi_3066_ = _e1769;
+                                let _e1759 = phi_3621_;
+                                let _e1761 = phi_3170_;
+                                let _e1763 = phi_3171_;
+                                let _e1765 = phi_3172_;
+                                let _e1767 = phi_3173_;
+                                let _e1769 = phi_3174_;
+                                phi_3620_ = _e1759;
+                                phi_3175_ = _e1761;
+                                phi_3176_ = _e1763;
+                                phi_3177_ = _e1765;
+                                phi_3178_ = _e1767;
+                                phi_3179_ = _e1769;
                             } else {
-                                phi_3507_ = _e706;
-                                phi_3062_ = type_49();
-                                phi_3063_ = u32();
-                                phi_3064_ = u32();
-                                phi_3065_ = bool();
-                                phi_3066_ = u32();
+                                phi_3620_ = _e706;
+                                phi_3175_ = type_50();
+                                phi_3176_ = bool();
+                                phi_3177_ = u32();
+                                phi_3178_ = u32();
+                                phi_3179_ = u32();
                             }
-                            let _e1771 = phi_3507_;
-                            let _e1773 = phi_3062_;
-                            let _e1775 = phi_3063_;
-                            let _e1777 = phi_3064_;
-                            let _e1779 = phi_3065_;
-                            let _e1781 = phi_3066_;
-                            phi_3506_ = _e1771;
-                            phi_1197_ = _e1773;
-                            phi_1200_ = _e1775;
-                            phi_1202_ = _e1777;
-                            phi_1204_ = _e1779;
-                            phi_1206_ = _e1781;
-                            phi_3067_ = _e720;
+                            let _e1771 = phi_3620_;
+                            let _e1773 = phi_3175_;
+                            let _e1775 = phi_3176_;
+                            let _e1777 = phi_3177_;
+                            let _e1779 = phi_3178_;
+                            let _e1781 = phi_3179_;
+                            phi_3619_ = _e1771;
+                            phi_1211_ = _e1773;
+                            phi_1214_ = _e1775;
+                            phi_1216_ = _e1777;
+                            phi_1218_ = _e1779;
+                            phi_1220_ = _e1781;
+                            phi_3180_ = _e720;
                         } else {
-                            phi_3506_ = _e706;
-                            phi_1197_ = type_49();
-                            phi_1200_ = u32();
-                            phi_1202_ = u32();
-                            phi_1204_ = bool();
-                            phi_1206_ = u32();
-                            phi_3067_ = false;
+                            phi_3619_ = _e706;
+                            phi_1211_ = type_50();
+                            phi_1214_ = bool();
+                            phi_1216_ = u32();
+                            phi_1218_ = u32();
+                            phi_1220_ = u32();
+                            phi_3180_ = false;
                         }
-                        let _e1783 = phi_3506_;
-                        let _e1785 = phi_1197_;
-                        let _e1787 = phi_1200_;
-                        let _e1789 = phi_1202_;
-                        let _e1791 = phi_1204_;
-                        let _e1793 = phi_1206_;
-                        let _e1795 = phi_3067_;
+                        let _e1783 = phi_3619_;
+                        let _e1785 = phi_1211_;
+                        let _e1787 = phi_1214_;
+                        let _e1789 = phi_1216_;
+                        let _e1791 = phi_1218_;
+                        let _e1793 = phi_1220_;
+                        let _e1795 = phi_3180_;
                         continue;
                         continuing {
-                            phi_3319_ = _e1783;
-                            phi_1196_ = _e1785;
-                            phi_1199_ = _e1787;
-                            phi_1201_ = _e1789;
-                            phi_1203_ = _e1791;
-                            phi_1205_ = _e1793;
-                            phi_3505_ = _e1783;
+                            phi_3432_ = _e1783;
+                            phi_1210_ = _e1785;
+                            phi_1213_ = _e1787;
+                            phi_1215_ = _e1789;
+                            phi_1217_ = _e1791;
+                            phi_1219_ = _e1793;
+                            phi_3618_ = _e1783;
                             break if !(_e1795);
                         }
                     }
-                    let _e1798 = phi_3505_;
+                    let _e1798 = phi_3618_;
                     if _e1798 {
                         break;
                     }
@@ -1469,110 +1469,110 @@ fn function_() {
                         let _e1809 = (bitcast<i32>((_e1805 >> bitcast<u32>(23i))) & 255i);
                         let _e1810 = (_e1809 + _e367);
                         if (_e1809 == 255i) {
-                            phi_3126_ = _e1800.member.member;
+                            phi_3239_ = _e1800.member.member;
                         } else {
                             if (_e1809 > 0i) {
                                 if (_e1810 > 0i) {
                                     let _e1814 = (_e1810 < 255i);
                                     if _e1814 {
-                                        phi_3105_ = bitcast<f32>((_e1805 + bitcast<u32>((_e367 << bitcast<u32>(23i)))));
+                                        phi_3218_ = bitcast<f32>((_e1805 + bitcast<u32>((_e367 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_3105_ = f32();
+                                        phi_3218_ = f32();
                                     }
-                                    let _e1821 = phi_3105_;
-                                    phi_3107_ = _e1821;
-                                    phi_3108_ = select(true, false, _e1814);
+                                    let _e1821 = phi_3218_;
+                                    phi_3220_ = _e1821;
+                                    phi_3221_ = select(true, false, _e1814);
                                 } else {
-                                    phi_3107_ = f32();
-                                    phi_3108_ = true;
+                                    phi_3220_ = f32();
+                                    phi_3221_ = true;
                                 }
-                                let _e1824 = phi_3107_;
-                                let _e1826 = phi_3108_;
-                                phi_3109_ = _e1824;
-                                phi_3110_ = _e1826;
+                                let _e1824 = phi_3220_;
+                                let _e1826 = phi_3221_;
+                                phi_3222_ = _e1824;
+                                phi_3223_ = _e1826;
                             } else {
-                                phi_3109_ = f32();
-                                phi_3110_ = true;
+                                phi_3222_ = f32();
+                                phi_3223_ = true;
                             }
-                            let _e1828 = phi_3109_;
-                            let _e1830 = phi_3110_;
+                            let _e1828 = phi_3222_;
+                            let _e1830 = phi_3223_;
                             if _e1830 {
                                 let _e1831 = (_e1805 & 2147483648u);
                                 let _e1838 = ((_e1805 & 8388607u) | (select(0u, 1u, ((_e1805 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                 let _e1842 = (_e1838 == 0u);
                                 if _e1842 {
-                                    phi_3308_ = bitcast<f32>(_e1831);
+                                    phi_3421_ = bitcast<f32>(_e1831);
                                 } else {
                                     let _e1847 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1838)), 32u, _e1842) - 8u);
                                     let _e1850 = (_e1838 << bitcast<u32>((_e1847 & 31u)));
                                     let _e1852 = ((_e1810 + select(0i, 1i, (_e1809 == 0i))) - bitcast<i32>(_e1847));
                                     if (_e1852 >= 255i) {
-                                        phi_3298_ = bitcast<f32>((_e1831 | 2139095040u));
-                                        phi_3299_ = f32();
-                                        phi_3300_ = true;
+                                        phi_3411_ = bitcast<f32>((_e1831 | 2139095040u));
+                                        phi_3412_ = f32();
+                                        phi_3413_ = true;
                                     } else {
                                         let _e1854 = (_e1852 > 0i);
                                         if _e1854 {
-                                            phi_3292_ = bitcast<f32>(((_e1831 | (bitcast<u32>(_e1852) << bitcast<u32>(23i))) | (_e1850 & 8388607u)));
-                                            phi_3293_ = f32();
+                                            phi_3405_ = bitcast<f32>(((_e1831 | (bitcast<u32>(_e1852) << bitcast<u32>(23i))) | (_e1850 & 8388607u)));
+                                            phi_3406_ = f32();
                                         } else {
                                             if (_e1852 < -24i) {
-                                                phi_3258_ = 26u;
+                                                phi_3371_ = 26u;
                                             } else {
-                                                phi_3258_ = bitcast<u32>((1i - _e1852));
+                                                phi_3371_ = bitcast<u32>((1i - _e1852));
                                             }
-                                            let _e1859 = phi_3258_;
+                                            let _e1859 = phi_3371_;
                                             let _e1860 = (_e1859 & 31u);
                                             let _e1862 = (_e1850 >> bitcast<u32>(_e1860));
                                             let _e1866 = (_e1850 & ((1u << bitcast<u32>(_e1860)) - 1u));
                                             let _e1870 = (1u << bitcast<u32>(((_e1859 - 1u) & 31u)));
                                             if (_e1866 > _e1870) {
-                                                phi_3279_ = true;
+                                                phi_3392_ = true;
                                             } else {
                                                 if (_e1866 == _e1870) {
-                                                    phi_3276_ = ((_e1862 & 1u) == 1u);
+                                                    phi_3389_ = ((_e1862 & 1u) == 1u);
                                                 } else {
-                                                    phi_3276_ = false;
+                                                    phi_3389_ = false;
                                                 }
-                                                let _e1876 = phi_3276_;
-                                                phi_3279_ = _e1876;
+                                                let _e1876 = phi_3389_;
+                                                phi_3392_ = _e1876;
                                             }
-                                            let _e1878 = phi_3279_;
-                                            phi_3292_ = f32();
-                                            phi_3293_ = bitcast<f32>((_e1831 | (_e1862 + select(0u, 1u, _e1878))));
+                                            let _e1878 = phi_3392_;
+                                            phi_3405_ = f32();
+                                            phi_3406_ = bitcast<f32>((_e1831 | (_e1862 + select(0u, 1u, _e1878))));
                                         }
-                                        let _e1891 = phi_3292_;
-                                        let _e1893 = phi_3293_;
-                                        phi_3298_ = _e1891;
-                                        phi_3299_ = _e1893;
-                                        phi_3300_ = _e1854;
+                                        let _e1891 = phi_3405_;
+                                        let _e1893 = phi_3406_;
+                                        phi_3411_ = _e1891;
+                                        phi_3412_ = _e1893;
+                                        phi_3413_ = _e1854;
                                     }
-                                    let _e1897 = phi_3298_;
-                                    let _e1899 = phi_3299_;
-                                    let _e1901 = phi_3300_;
-                                    phi_3308_ = select(_e1899, _e1897, _e1901);
+                                    let _e1897 = phi_3411_;
+                                    let _e1899 = phi_3412_;
+                                    let _e1901 = phi_3413_;
+                                    phi_3421_ = select(_e1899, _e1897, _e1901);
                                 }
-                                let _e1905 = phi_3308_;
-                                phi_3125_ = _e1905;
+                                let _e1905 = phi_3421_;
+                                phi_3238_ = _e1905;
                             } else {
-                                phi_3125_ = _e1828;
+                                phi_3238_ = _e1828;
                             }
-                            let _e1907 = phi_3125_;
-                            phi_3126_ = _e1907;
+                            let _e1907 = phi_3238_;
+                            phi_3239_ = _e1907;
                         }
-                        let _e1909 = phi_3126_;
+                        let _e1909 = phi_3239_;
                         let _e1910 = bitcast<u32>(_e1909);
                         if ((_e1910 & 2147483647u) >= 2139095040u) {
-                            phi_3138_ = bitcast<f32>(((_e1910 & 2147483648u) | 2139095039u));
+                            phi_3251_ = bitcast<f32>(((_e1910 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_3138_ = _e1909;
+                            phi_3251_ = _e1909;
                         }
-                        let _e1917 = phi_3138_;
-                        phi_3143_ = type_28(_e1917, _e1800.member.member_1, _e1800.member.member_2, _e1800.member.member_3);
+                        let _e1917 = phi_3251_;
+                        phi_3256_ = type_28(_e1917, _e1800.member.member_1, _e1800.member.member_2, _e1800.member.member_3);
                     } else {
-                        phi_3143_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3256_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1922 = phi_3143_;
+                    let _e1922 = phi_3256_;
                     if _e244 {
                     } else {
                         break;

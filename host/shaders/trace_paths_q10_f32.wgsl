@@ -66,7 +66,7 @@ struct type_44 {
     member_3: array<u32, 3>,
 }
 
-struct type_47 {
+struct type_48 {
     member: type_30,
     member_1: f32,
 }
@@ -127,176 +127,176 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_410_: u32;
-    var phi_454_: i32;
-    var phi_594_: type_44;
-    var phi_700_: i32;
-    var phi_701_: i32;
-    var phi_711_: bool;
-    var phi_721_: u32;
-    var phi_722_: u32;
-    var phi_724_: bool;
-    var phi_729_: u32;
-    var phi_761_: i32;
-    var phi_779_: f32;
-    var phi_785_: f32;
-    var phi_825_: f32;
-    var phi_831_: f32;
-    var phi_883_: f32;
-    var phi_894_: f32;
-    var phi_903_: f32;
-    var phi_909_: f32;
-    var phi_949_: f32;
-    var phi_955_: f32;
-    var phi_1007_: f32;
-    var phi_1018_: f32;
+    var phi_416_: u32;
+    var phi_460_: i32;
+    var phi_600_: type_44;
+    var phi_706_: i32;
+    var phi_707_: i32;
+    var phi_717_: bool;
+    var phi_727_: u32;
+    var phi_728_: u32;
+    var phi_730_: bool;
+    var phi_735_: u32;
+    var phi_768_: i32;
+    var phi_786_: f32;
+    var phi_792_: f32;
+    var phi_832_: f32;
+    var phi_838_: f32;
+    var phi_890_: f32;
+    var phi_902_: f32;
+    var phi_911_: f32;
+    var phi_917_: f32;
+    var phi_957_: f32;
+    var phi_963_: f32;
+    var phi_1015_: f32;
     var phi_1027_: f32;
-    var phi_1033_: f32;
-    var phi_1073_: f32;
-    var phi_1079_: f32;
-    var phi_1131_: f32;
-    var phi_1142_: f32;
-    var phi_1197_: i32;
-    var phi_1219_: u32;
-    var phi_1220_: u32;
-    var phi_1257_: i32;
-    var phi_1279_: u32;
-    var phi_1280_: u32;
-    var phi_1288_: f32;
-    var phi_1289_: f32;
-    var phi_4493_: bool;
-    var phi_1378_: type_47;
-    var phi_1381_: type_62;
-    var phi_1383_: u32;
-    var phi_1385_: bool;
-    var phi_1387_: u32;
+    var phi_1036_: f32;
+    var phi_1042_: f32;
+    var phi_1082_: f32;
+    var phi_1088_: f32;
+    var phi_1140_: f32;
+    var phi_1152_: f32;
+    var phi_1207_: i32;
+    var phi_1229_: u32;
+    var phi_1230_: u32;
+    var phi_1267_: i32;
+    var phi_1289_: u32;
+    var phi_1290_: u32;
+    var phi_1298_: f32;
+    var phi_1299_: f32;
+    var phi_4609_: bool;
+    var phi_1395_: type_48;
     var phi_1398_: bool;
-    var phi_1484_: type_62;
-    var phi_1485_: bool;
-    var phi_1486_: u32;
-    var phi_3559_: u32;
-    var phi_3560_: u32;
-    var phi_3570_: u32;
-    var phi_3572_: u32;
-    var phi_3573_: bool;
-    var phi_3593_: u32;
-    var phi_3594_: u32;
-    var phi_3598_: type_63;
-    var phi_3942_: type_62;
-    var phi_4019_: type_62;
-    var phi_4020_: type_62;
-    var phi_4021_: u32;
-    var phi_4023_: type_62;
-    var phi_4024_: u32;
-    var phi_4025_: bool;
-    var phi_4034_: type_62;
-    var phi_4039_: type_62;
-    var phi_4040_: bool;
-    var phi_1504_: type_47;
-    var phi_1507_: type_8;
-    var phi_1508_: type_8;
-    var phi_1530_: type_8;
-    var phi_1551_: u32;
-    var phi_1640_: array<array<f32, 3>, 3>;
-    var phi_1757_: bool;
-    var phi_1786_: bool;
-    var phi_2187_: f32;
-    var phi_2188_: f32;
-    var phi_2189_: f32;
-    var phi_2190_: f32;
-    var phi_2191_: vec3<f32>;
-    var phi_2192_: vec3<f32>;
-    var phi_2193_: vec3<f32>;
-    var phi_2194_: vec3<f32>;
-    var phi_2225_: bool;
-    var phi_2234_: vec3<f32>;
-    var phi_2399_: f32;
-    var phi_2401_: f32;
-    var phi_2402_: bool;
-    var phi_2422_: f32;
-    var phi_2423_: f32;
-    var phi_2446_: type_30;
-    var phi_2448_: type_30;
-    var phi_2449_: bool;
-    var phi_2453_: type_30;
-    var phi_2454_: type_30;
-    var phi_2455_: type_30;
-    var phi_2456_: bool;
-    var phi_2460_: type_30;
-    var phi_2461_: bool;
-    var phi_2462_: type_30;
-    var phi_2463_: bool;
-    var phi_2464_: bool;
-    var phi_2465_: type_30;
-    var phi_2466_: bool;
-    var phi_2467_: bool;
-    var phi_2475_: type_30;
-    var phi_2476_: bool;
-    var phi_2480_: type_30;
-    var phi_2503_: u32;
-    var phi_2517_: i32;
-    var phi_2537_: vec3<f32>;
-    var phi_2538_: vec3<f32>;
-    var phi_2554_: vec3<f32>;
-    var phi_2555_: vec3<f32>;
-    var phi_2571_: vec3<f32>;
-    var phi_2572_: vec3<f32>;
-    var phi_2608_: vec3<f32>;
-    var phi_2790_: f32;
-    var phi_2808_: bool;
-    var phi_2809_: bool;
-    var phi_2828_: bool;
-    var phi_2829_: bool;
-    var phi_2835_: type_47;
-    var phi_2836_: type_47;
-    var phi_2837_: type_47;
-    var phi_1505_: type_47;
-    var phi_4487_: bool;
-    var phi_4683_: bool;
-    var phi_4042_: type_47;
-    var phi_4043_: type_62;
-    var phi_4044_: bool;
-    var phi_4045_: u32;
-    var phi_4682_: bool;
-    var phi_4046_: type_47;
-    var phi_4047_: type_62;
-    var phi_4048_: u32;
-    var phi_4049_: bool;
-    var phi_4050_: u32;
-    var phi_4681_: bool;
-    var phi_4051_: type_47;
-    var phi_4052_: type_62;
-    var phi_4053_: u32;
-    var phi_4054_: bool;
-    var phi_4055_: u32;
-    var phi_4680_: bool;
-    var phi_1379_: type_47;
-    var phi_1382_: type_62;
-    var phi_1384_: u32;
-    var phi_1386_: bool;
-    var phi_1388_: u32;
-    var phi_4056_: bool;
-    var phi_4679_: bool;
-    var local_10: type_47;
-    var phi_4094_: f32;
-    var phi_4096_: f32;
-    var phi_4097_: bool;
-    var phi_4098_: f32;
-    var phi_4099_: bool;
-    var phi_4395_: u32;
-    var phi_4413_: bool;
-    var phi_4416_: bool;
-    var phi_4429_: f32;
-    var phi_4430_: f32;
-    var phi_4435_: f32;
-    var phi_4436_: f32;
-    var phi_4437_: bool;
-    var phi_4445_: f32;
-    var phi_4114_: f32;
-    var phi_4115_: f32;
-    var phi_4127_: f32;
-    var phi_4132_: type_30;
-    var local_11: type_47;
+    var phi_1400_: u32;
+    var phi_1402_: u32;
+    var phi_1404_: type_62;
+    var phi_1415_: bool;
+    var phi_1501_: bool;
+    var phi_1502_: u32;
+    var phi_1503_: type_62;
+    var phi_3654_: u32;
+    var phi_3655_: u32;
+    var phi_3665_: u32;
+    var phi_3667_: u32;
+    var phi_3668_: bool;
+    var phi_3688_: u32;
+    var phi_3689_: u32;
+    var phi_3693_: type_63;
+    var phi_4055_: type_62;
+    var phi_4132_: type_62;
+    var phi_4133_: u32;
+    var phi_4134_: type_62;
+    var phi_4136_: u32;
+    var phi_4137_: type_62;
+    var phi_4138_: bool;
+    var phi_4147_: type_62;
+    var phi_4152_: bool;
+    var phi_4154_: type_62;
+    var phi_1521_: type_48;
+    var phi_1524_: type_8;
+    var phi_1525_: type_8;
+    var phi_1547_: type_8;
+    var phi_1568_: u32;
+    var phi_1660_: array<array<f32, 3>, 3>;
+    var phi_1812_: bool;
+    var phi_1841_: bool;
+    var phi_2260_: f32;
+    var phi_2261_: f32;
+    var phi_2262_: f32;
+    var phi_2263_: f32;
+    var phi_2264_: vec3<f32>;
+    var phi_2265_: vec3<f32>;
+    var phi_2266_: vec3<f32>;
+    var phi_2267_: vec3<f32>;
+    var phi_2304_: bool;
+    var phi_2313_: vec3<f32>;
+    var phi_2478_: f32;
+    var phi_2480_: f32;
+    var phi_2481_: bool;
+    var phi_2501_: f32;
+    var phi_2502_: f32;
+    var phi_2525_: type_30;
+    var phi_2527_: type_30;
+    var phi_2528_: bool;
+    var phi_2532_: type_30;
+    var phi_2533_: type_30;
+    var phi_2534_: type_30;
+    var phi_2535_: bool;
+    var phi_2539_: type_30;
+    var phi_2540_: bool;
+    var phi_2541_: type_30;
+    var phi_2542_: bool;
+    var phi_2543_: bool;
+    var phi_2544_: type_30;
+    var phi_2545_: bool;
+    var phi_2546_: bool;
+    var phi_2554_: type_30;
+    var phi_2555_: bool;
+    var phi_2559_: type_30;
+    var phi_2582_: u32;
+    var phi_2596_: i32;
+    var phi_2618_: vec3<f32>;
+    var phi_2619_: vec3<f32>;
+    var phi_2637_: vec3<f32>;
+    var phi_2638_: vec3<f32>;
+    var phi_2656_: vec3<f32>;
+    var phi_2657_: vec3<f32>;
+    var phi_2693_: vec3<f32>;
+    var phi_2875_: f32;
+    var phi_2893_: bool;
+    var phi_2894_: bool;
+    var phi_2913_: bool;
+    var phi_2914_: bool;
+    var phi_2920_: type_48;
+    var phi_2921_: type_48;
+    var phi_2922_: type_48;
+    var phi_1522_: type_48;
+    var phi_4603_: bool;
+    var phi_4799_: bool;
+    var phi_4158_: type_48;
+    var phi_4159_: bool;
+    var phi_4160_: u32;
+    var phi_4161_: type_62;
+    var phi_4798_: bool;
+    var phi_4162_: type_48;
+    var phi_4163_: bool;
+    var phi_4164_: u32;
+    var phi_4165_: u32;
+    var phi_4166_: type_62;
+    var phi_4797_: bool;
+    var phi_4167_: type_48;
+    var phi_4168_: bool;
+    var phi_4169_: u32;
+    var phi_4170_: u32;
+    var phi_4171_: type_62;
+    var phi_4796_: bool;
+    var phi_1396_: type_48;
+    var phi_1399_: bool;
+    var phi_1401_: u32;
+    var phi_1403_: u32;
+    var phi_1405_: type_62;
+    var phi_4172_: bool;
+    var phi_4795_: bool;
+    var local_10: type_48;
+    var phi_4210_: f32;
+    var phi_4212_: f32;
+    var phi_4213_: bool;
+    var phi_4214_: f32;
+    var phi_4215_: bool;
+    var phi_4511_: u32;
+    var phi_4529_: bool;
+    var phi_4532_: bool;
+    var phi_4545_: f32;
+    var phi_4546_: f32;
+    var phi_4551_: f32;
+    var phi_4552_: f32;
+    var phi_4553_: bool;
+    var phi_4561_: f32;
+    var phi_4230_: f32;
+    var phi_4231_: f32;
+    var phi_4243_: f32;
+    var phi_4248_: type_30;
+    var local_11: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -322,11 +322,11 @@ fn function_() {
                     break;
                 }
                 let _e170 = global_8.member[_e151].member_2;
-                phi_410_ = _e170;
+                phi_416_ = _e170;
             } else {
-                phi_410_ = 4294967295u;
+                phi_416_ = 4294967295u;
             }
-            let _e172 = phi_410_;
+            let _e172 = phi_416_;
             let _e175 = global_1.member[0u];
             let _e179 = global_2.member[0u][0u];
             let _e183 = global_2.member[0u][1u];
@@ -343,15 +343,15 @@ fn function_() {
             let _e213 = array<u32, 3>(_e199, _e203, _e207);
             let _e215 = bitcast<i32>(_e175);
             if (_e215 < -126i) {
-                phi_454_ = -126i;
+                phi_460_ = -126i;
             } else {
-                phi_454_ = select(_e215, 127i, (_e215 > 127i));
+                phi_460_ = select(_e215, 127i, (_e215 > 127i));
             }
-            let _e220 = phi_454_;
+            let _e220 = phi_460_;
             let _e225 = bitcast<f32>((bitcast<u32>((_e220 + 127i)) << bitcast<u32>(23i)));
             let _e231 = bitcast<f32>((bitcast<u32>(((_e215 - _e220) + 127i)) << bitcast<u32>(23i)));
             if (_e191 == 0u) {
-                phi_594_ = type_44(array<f32, 3>(_e208, _e209, _e210), _e191, _e212, _e213);
+                phi_600_ = type_44(array<f32, 3>(_e208, _e209, _e210), _e191, _e212, _e213);
             } else {
                 let _e233 = bitcast<u32>(_e208);
                 let _e235 = ((_e233 & 2139095040u) != 0u);
@@ -361,9 +361,9 @@ fn function_() {
                 let _e269 = ((_e267 & 2139095040u) != 0u);
                 let _e285 = bitcast<u32>(_e212);
                 let _e287 = ((_e285 & 2139095040u) != 0u);
-                phi_594_ = type_44(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e233 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e233 & 2147483648u))), _e208, _e235) * _e225) * select(0.00000011920929f, 1f, _e235)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e250 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e250 & 2147483648u))), _e209, _e252) * _e225) * select(0.00000011920929f, 1f, _e252)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e210, _e269) * _e225) * select(0.00000011920929f, 1f, _e269)) * _e231)), _e191, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e285 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e285 & 2147483648u))), _e212, _e287) * _e225) * select(0.00000011920929f, 1f, _e287)) * _e231), _e213);
+                phi_600_ = type_44(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e233 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e233 & 2147483648u))), _e208, _e235) * _e225) * select(0.00000011920929f, 1f, _e235)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e250 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e250 & 2147483648u))), _e209, _e252) * _e225) * select(0.00000011920929f, 1f, _e252)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e210, _e269) * _e225) * select(0.00000011920929f, 1f, _e269)) * _e231)), _e191, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e285 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e285 & 2147483648u))), _e212, _e287) * _e225) * select(0.00000011920929f, 1f, _e287)) * _e231), _e213);
             }
-            let _e304 = phi_594_;
+            let _e304 = phi_600_;
             if _e166 {
                 let _e305 = (_e151 < arrayLength((&global_9.member)));
                 if _e305 {
@@ -398,203 +398,203 @@ fn function_() {
                     if _e388 {
                         let _e391 = (bitcast<u32>(bitcast<f32>(_e361)) & 2147483647u);
                         if (_e391 >= 8388608u) {
-                            phi_700_ = (bitcast<i32>((_e391 >> bitcast<u32>(23i))) - 127i);
+                            phi_706_ = (bitcast<i32>((_e391 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_700_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e391)), 32u, (_e391 == 0u))));
+                            phi_706_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e391)), 32u, (_e391 == 0u))));
                         }
-                        let _e405 = phi_700_;
-                        phi_701_ = _e405;
+                        let _e405 = phi_706_;
+                        phi_707_ = _e405;
                     } else {
-                        phi_701_ = 0i;
+                        phi_707_ = 0i;
                     }
-                    let _e407 = phi_701_;
+                    let _e407 = phi_707_;
                     let _e408 = (_e317 == _e361);
                     if _e408 {
-                        phi_711_ = true;
+                        phi_717_ = true;
                     } else {
-                        phi_711_ = (_e325 == _e361);
+                        phi_717_ = (_e325 == _e361);
                     }
-                    let _e411 = phi_711_;
+                    let _e411 = phi_717_;
                     let _e412 = select(1u, 0u, _e408);
                     if _e411 {
                         let _e413 = (_e412 + 1u);
-                        phi_721_ = _e413;
-                        phi_722_ = _e413;
-                        phi_724_ = select(true, false, (_e413 == 2u));
+                        phi_727_ = _e413;
+                        phi_728_ = _e413;
+                        phi_730_ = select(true, false, (_e413 == 2u));
                     } else {
-                        phi_721_ = u32();
-                        phi_722_ = 0u;
-                        phi_724_ = true;
+                        phi_727_ = u32();
+                        phi_728_ = 0u;
+                        phi_730_ = true;
                     }
-                    let _e417 = phi_721_;
-                    let _e419 = phi_722_;
-                    let _e421 = phi_724_;
+                    let _e417 = phi_727_;
+                    let _e419 = phi_728_;
+                    let _e421 = phi_730_;
                     if _e421 {
-                        phi_729_ = (_e419 + 1u);
+                        phi_735_ = (_e419 + 1u);
                     } else {
-                        phi_729_ = 0u;
+                        phi_735_ = 0u;
                     }
-                    let _e425 = phi_729_;
+                    let _e425 = phi_735_;
                     let _e426 = select(_e417, _e419, _e421);
                     let _e427 = select(_e412, select(2u, _e412, _e411), _e421);
                     let _e428 = -(_e407);
                     if (_e428 < -126i) {
-                        phi_761_ = -126i;
+                        phi_768_ = -126i;
                     } else {
-                        phi_761_ = select(_e428, 127i, (_e428 > 127i));
+                        phi_768_ = select(_e428, 127i, (_e428 > 127i));
                     }
-                    let _e433 = phi_761_;
+                    let _e433 = phi_768_;
                     let _e438 = bitcast<f32>((bitcast<u32>((_e433 + 127i)) << bitcast<u32>(23i)));
                     let _e444 = bitcast<f32>((bitcast<u32>(((_e428 - _e433) + 127i)) << bitcast<u32>(23i)));
                     let _e449 = global_8.member[_e151].member.member;
                     let _e450 = (_e426 == 0u);
                     if _e450 {
-                        phi_779_ = _e449[0];
+                        phi_786_ = _e449[0];
                     } else {
-                        phi_779_ = _e449[1];
+                        phi_786_ = _e449[1];
                     }
-                    let _e454 = phi_779_;
+                    let _e454 = phi_786_;
                     let _e455 = (_e426 == 2u);
                     if _e455 {
-                        phi_785_ = _e449[2];
+                        phi_792_ = _e449[2];
                     } else {
-                        phi_785_ = _e454;
+                        phi_792_ = _e454;
                     }
-                    let _e458 = phi_785_;
+                    let _e458 = phi_792_;
                     let _e459 = bitcast<u32>(_e458);
                     let _e461 = ((_e459 & 2139095040u) != 0u);
                     let _e473 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e459 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e459 & 2147483648u))), _e458, _e461) * select(0.00000011920929f, 1f, _e461));
                     let _e474 = global_8.member[_e151].member.member_2;
                     if _e450 {
-                        phi_825_ = _e474[0];
+                        phi_832_ = _e474[0];
                     } else {
-                        phi_825_ = _e474[1];
+                        phi_832_ = _e474[1];
                     }
-                    let _e478 = phi_825_;
+                    let _e478 = phi_832_;
                     if _e455 {
-                        phi_831_ = _e474[2];
+                        phi_838_ = _e474[2];
                     } else {
-                        phi_831_ = _e478;
+                        phi_838_ = _e478;
                     }
-                    let _e481 = phi_831_;
+                    let _e481 = phi_838_;
                     let _e482 = bitcast<u32>(_e481);
                     let _e484 = ((_e482 & 2139095040u) != 0u);
                     let _e498 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e482 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e482 & 2147483648u))), _e481, _e484) * _e438) * select(0.00000011920929f, 1f, _e484)) * _e444);
                     let _e502 = (bitcast<f32>((bitcast<u32>(_e498) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e502 {
                         let _e506 = (bitcast<f32>((bitcast<u32>(_e473) & 2147483647u)) * 0.00000011920929f);
-                        phi_883_ = select(0.00000000000011368684f, _e506, (_e506 > 0.00000000000011368684f));
+                        phi_890_ = select(0.00000000000011368684f, _e506, (_e506 > 0.00000000000011368684f));
                     } else {
-                        phi_883_ = 0f;
+                        phi_890_ = 0f;
                     }
-                    let _e510 = phi_883_;
+                    let _e510 = phi_890_;
                     let _e511 = (_e473 + _e510);
                     let _e512 = (_e473 - _e510);
                     let _e513 = select(_e498, 0f, _e502);
                     if _e502 {
-                        phi_894_ = 38685626000000000000000000f;
+                        phi_902_ = 38685626000000000000000000f;
                     } else {
-                        phi_894_ = (1f / _e498);
+                        phi_902_ = (1f / _e498);
                     }
-                    let _e516 = phi_894_;
+                    let _e516 = phi_902_;
                     let _e517 = (_e425 == 0u);
                     if _e517 {
-                        phi_903_ = _e449[0];
+                        phi_911_ = _e449[0];
                     } else {
-                        phi_903_ = _e449[1];
+                        phi_911_ = _e449[1];
                     }
-                    let _e521 = phi_903_;
+                    let _e521 = phi_911_;
                     let _e522 = (_e425 == 2u);
                     if _e522 {
-                        phi_909_ = _e449[2];
+                        phi_917_ = _e449[2];
                     } else {
-                        phi_909_ = _e521;
+                        phi_917_ = _e521;
                     }
-                    let _e525 = phi_909_;
+                    let _e525 = phi_917_;
                     let _e526 = bitcast<u32>(_e525);
                     let _e528 = ((_e526 & 2139095040u) != 0u);
                     let _e540 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e526 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e526 & 2147483648u))), _e525, _e528) * select(0.00000011920929f, 1f, _e528));
                     if _e517 {
-                        phi_949_ = _e474[0];
+                        phi_957_ = _e474[0];
                     } else {
-                        phi_949_ = _e474[1];
+                        phi_957_ = _e474[1];
                     }
-                    let _e544 = phi_949_;
+                    let _e544 = phi_957_;
                     if _e522 {
-                        phi_955_ = _e474[2];
+                        phi_963_ = _e474[2];
                     } else {
-                        phi_955_ = _e544;
+                        phi_963_ = _e544;
                     }
-                    let _e547 = phi_955_;
+                    let _e547 = phi_963_;
                     let _e548 = bitcast<u32>(_e547);
                     let _e550 = ((_e548 & 2139095040u) != 0u);
                     let _e564 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e548 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e548 & 2147483648u))), _e547, _e550) * _e438) * select(0.00000011920929f, 1f, _e550)) * _e444);
                     let _e568 = (bitcast<f32>((bitcast<u32>(_e564) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e568 {
                         let _e572 = (bitcast<f32>((bitcast<u32>(_e540) & 2147483647u)) * 0.00000011920929f);
-                        phi_1007_ = select(0.00000000000011368684f, _e572, (_e572 > 0.00000000000011368684f));
+                        phi_1015_ = select(0.00000000000011368684f, _e572, (_e572 > 0.00000000000011368684f));
                     } else {
-                        phi_1007_ = 0f;
+                        phi_1015_ = 0f;
                     }
-                    let _e576 = phi_1007_;
+                    let _e576 = phi_1015_;
                     let _e577 = (_e540 + _e576);
                     let _e578 = (_e540 - _e576);
                     let _e579 = select(_e564, 0f, _e568);
                     if _e568 {
-                        phi_1018_ = 38685626000000000000000000f;
+                        phi_1027_ = 38685626000000000000000000f;
                     } else {
-                        phi_1018_ = (1f / _e564);
+                        phi_1027_ = (1f / _e564);
                     }
-                    let _e582 = phi_1018_;
+                    let _e582 = phi_1027_;
                     let _e583 = (_e427 == 0u);
                     if _e583 {
-                        phi_1027_ = _e449[0];
+                        phi_1036_ = _e449[0];
                     } else {
-                        phi_1027_ = _e449[1];
+                        phi_1036_ = _e449[1];
                     }
-                    let _e587 = phi_1027_;
+                    let _e587 = phi_1036_;
                     let _e588 = (_e427 == 2u);
                     if _e588 {
-                        phi_1033_ = _e449[2];
+                        phi_1042_ = _e449[2];
                     } else {
-                        phi_1033_ = _e587;
+                        phi_1042_ = _e587;
                     }
-                    let _e591 = phi_1033_;
+                    let _e591 = phi_1042_;
                     let _e592 = bitcast<u32>(_e591);
                     let _e594 = ((_e592 & 2139095040u) != 0u);
                     let _e606 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e592 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e592 & 2147483648u))), _e591, _e594) * select(0.00000011920929f, 1f, _e594));
                     if _e583 {
-                        phi_1073_ = _e474[0];
+                        phi_1082_ = _e474[0];
                     } else {
-                        phi_1073_ = _e474[1];
+                        phi_1082_ = _e474[1];
                     }
-                    let _e610 = phi_1073_;
+                    let _e610 = phi_1082_;
                     if _e588 {
-                        phi_1079_ = _e474[2];
+                        phi_1088_ = _e474[2];
                     } else {
-                        phi_1079_ = _e610;
+                        phi_1088_ = _e610;
                     }
-                    let _e613 = phi_1079_;
+                    let _e613 = phi_1088_;
                     let _e614 = bitcast<u32>(_e613);
                     let _e616 = ((_e614 & 2139095040u) != 0u);
                     let _e630 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e614 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e614 & 2147483648u))), _e613, _e616) * _e438) * select(0.00000011920929f, 1f, _e616)) * _e444);
                     let _e634 = (bitcast<f32>((bitcast<u32>(_e630) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e634 {
                         let _e638 = (bitcast<f32>((bitcast<u32>(_e606) & 2147483647u)) * 0.00000011920929f);
-                        phi_1131_ = select(0.00000000000011368684f, _e638, (_e638 > 0.00000000000011368684f));
+                        phi_1140_ = select(0.00000000000011368684f, _e638, (_e638 > 0.00000000000011368684f));
                     } else {
-                        phi_1131_ = 0f;
+                        phi_1140_ = 0f;
                     }
-                    let _e642 = phi_1131_;
+                    let _e642 = phi_1140_;
                     let _e643 = (_e606 + _e642);
                     let _e644 = (_e606 - _e642);
                     let _e645 = select(_e630, 0f, _e634);
                     if _e634 {
-                        phi_1142_ = 38685626000000000000000000f;
+                        phi_1152_ = 38685626000000000000000000f;
                     } else {
-                        phi_1142_ = (1f / _e630);
+                        phi_1152_ = (1f / _e630);
                     }
-                    let _e648 = phi_1142_;
+                    let _e648 = phi_1152_;
                     let _e651 = bitcast<f32>((bitcast<u32>(_e473) & 2147483647u));
                     let _e654 = bitcast<f32>((bitcast<u32>(_e540) & 2147483647u));
                     let _e656 = select(_e654, _e651, (_e651 > _e654));
@@ -605,55 +605,55 @@ fn function_() {
                         let _e678 = (_e671 == 0u);
                         let _e681 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e671)), 32u, _e678)) - 8i);
                         if (_e674 == 255i) {
-                            phi_1197_ = 255i;
+                            phi_1207_ = 255i;
                         } else {
-                            phi_1197_ = (((_e674 + select(0i, 1i, (_e674 == 0i))) - _e681) + _e407);
+                            phi_1207_ = (((_e674 + select(0i, 1i, (_e674 == 0i))) - _e681) + _e407);
                         }
-                        let _e689 = phi_1197_;
+                        let _e689 = phi_1207_;
                         let _e699 = (_e689 <= 0i);
                         if _e699 {
-                            phi_1220_ = u32();
+                            phi_1230_ = u32();
                         } else {
                             if _e678 {
-                                phi_1219_ = u32();
+                                phi_1229_ = u32();
                             } else {
-                                phi_1219_ = select(((bitcast<u32>(_e689) << bitcast<u32>(23i)) | ((_e671 << bitcast<u32>(((_e681 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e689 >= 255i));
+                                phi_1229_ = select(((bitcast<u32>(_e689) << bitcast<u32>(23i)) | ((_e671 << bitcast<u32>(((_e681 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e689 >= 255i));
                             }
-                            let _e703 = phi_1219_;
-                            phi_1220_ = _e703;
+                            let _e703 = phi_1229_;
+                            phi_1230_ = _e703;
                         }
-                        let _e705 = phi_1220_;
+                        let _e705 = phi_1230_;
                         let _e717 = ((_e384 & 8388607u) | (select(0u, 1u, ((_e384 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e720 = bitcast<i32>((_e384 >> bitcast<u32>(23i)));
                         let _e724 = (_e717 == 0u);
                         let _e727 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e717)), 32u, _e724)) - 8i);
                         if (_e720 == 255i) {
-                            phi_1257_ = 255i;
+                            phi_1267_ = 255i;
                         } else {
-                            phi_1257_ = (((_e720 + select(0i, 1i, (_e720 == 0i))) - _e727) + _e407);
+                            phi_1267_ = (((_e720 + select(0i, 1i, (_e720 == 0i))) - _e727) + _e407);
                         }
-                        let _e735 = phi_1257_;
+                        let _e735 = phi_1267_;
                         let _e745 = (_e735 <= 0i);
                         if _e745 {
-                            phi_1280_ = u32();
+                            phi_1290_ = u32();
                         } else {
                             if _e724 {
-                                phi_1279_ = u32();
+                                phi_1289_ = u32();
                             } else {
-                                phi_1279_ = select(((bitcast<u32>(_e735) << bitcast<u32>(23i)) | ((_e717 << bitcast<u32>(((_e727 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e735 >= 255i));
+                                phi_1289_ = select(((bitcast<u32>(_e735) << bitcast<u32>(23i)) | ((_e717 << bitcast<u32>(((_e727 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e735 >= 255i));
                             }
-                            let _e749 = phi_1279_;
-                            phi_1280_ = _e749;
+                            let _e749 = phi_1289_;
+                            phi_1290_ = _e749;
                         }
-                        let _e751 = phi_1280_;
-                        phi_1288_ = bitcast<f32>(((_e383 & 2147483648u) | select(_e751, 0u, select(_e724, true, _e745))));
-                        phi_1289_ = bitcast<f32>(((_e373 & 2147483648u) | select(_e705, 0u, select(_e678, true, _e699))));
+                        let _e751 = phi_1290_;
+                        phi_1298_ = bitcast<f32>(((_e383 & 2147483648u) | select(_e751, 0u, select(_e724, true, _e745))));
+                        phi_1299_ = bitcast<f32>(((_e373 & 2147483648u) | select(_e705, 0u, select(_e678, true, _e699))));
                     } else {
-                        phi_1288_ = 0f;
-                        phi_1289_ = 1f;
+                        phi_1298_ = 0f;
+                        phi_1299_ = 1f;
                     }
-                    let _e757 = phi_1288_;
-                    let _e759 = phi_1289_;
+                    let _e757 = phi_1298_;
+                    let _e759 = phi_1299_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -698,196 +698,196 @@ fn function_() {
                         break;
                     }
                     let _e791 = local[_e775];
-                    phi_4493_ = false;
-                    phi_1378_ = type_47(type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e757);
-                    phi_1381_ = type_62(type_42(vec4<f32>((f32(_e766) * _e163), (f32(_e772) * _e163), (f32(_e778) * _e163), 0f), vec4<f32>((f32(_e783) * _e163), (f32(_e787) * _e163), (f32(_e791) * _e163), 0f)), select(0u, 2147483648u, (_e105 == 0u)));
-                    phi_1383_ = ((3u * _e105) + 1u);
-                    phi_1385_ = (_e759 <= _e757);
-                    phi_1387_ = 0u;
+                    phi_4609_ = false;
+                    phi_1395_ = type_48(type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e757);
+                    phi_1398_ = (_e759 <= _e757);
+                    phi_1400_ = ((3u * _e105) + 1u);
+                    phi_1402_ = 0u;
+                    phi_1404_ = type_62(type_42(vec4<f32>((f32(_e766) * _e163), (f32(_e772) * _e163), (f32(_e778) * _e163), 0f), vec4<f32>((f32(_e783) * _e163), (f32(_e787) * _e163), (f32(_e791) * _e163), 0f)), select(0u, 2147483648u, (_e105 == 0u)));
                     loop {
-                        let _e801 = phi_4493_;
-                        let _e803 = phi_1378_;
-                        let _e805 = phi_1381_;
-                        let _e807 = phi_1383_;
-                        let _e809 = phi_1385_;
-                        let _e811 = phi_1387_;
+                        let _e801 = phi_4609_;
+                        let _e803 = phi_1395_;
+                        let _e805 = phi_1398_;
+                        let _e807 = phi_1400_;
+                        let _e809 = phi_1402_;
+                        let _e811 = phi_1404_;
                         local_10 = _e803;
-                        if _e809 {
-                            phi_1398_ = true;
+                        if _e805 {
+                            phi_1415_ = true;
                         } else {
-                            phi_1398_ = (_e811 > 0u);
+                            phi_1415_ = (_e809 > 0u);
                         }
-                        let _e814 = phi_1398_;
+                        let _e814 = phi_1415_;
                         if _e814 {
                             let _e815 = (_e807 > 0u);
                             if _e815 {
-                                if _e809 {
-                                    phi_1484_ = _e805;
-                                    phi_1485_ = _e809;
-                                    phi_1486_ = _e811;
+                                if _e805 {
+                                    phi_1501_ = _e805;
+                                    phi_1502_ = _e809;
+                                    phi_1503_ = _e811;
                                 } else {
-                                    let _e816 = (_e811 - 1u);
+                                    let _e816 = (_e809 - 1u);
                                     let _e817 = (_e816 % 128u);
                                     let _e818 = (_e817 < 128u);
                                     if _e818 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e820 = local_7[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e822 = local_6[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e824 = local_5[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e826 = local_4[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e828 = local_3[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e830 = local_2[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e835 = local_8[_e817];
                                     if _e818 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e838 = local_9[_e817];
-                                    phi_1484_ = type_62(type_42(vec4<f32>(_e820, _e822, _e824, 0f), vec4<f32>(_e826, _e828, _e830, 0f)), _e835);
-                                    phi_1485_ = (_e838 <= _e803.member_1);
-                                    phi_1486_ = _e816;
+                                    phi_1501_ = (_e838 <= _e803.member_1);
+                                    phi_1502_ = _e816;
+                                    phi_1503_ = type_62(type_42(vec4<f32>(_e820, _e822, _e824, 0f), vec4<f32>(_e826, _e828, _e830, 0f)), _e835);
                                 }
-                                let _e842 = phi_1484_;
-                                let _e844 = phi_1485_;
-                                let _e846 = phi_1486_;
-                                if _e844 {
-                                    if ((_e842.member_1 & 2147483648u) != 0u) {
-                                        phi_1504_ = _e803;
-                                        phi_1507_ = type_8(0u, ((_e842.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e842 = phi_1501_;
+                                let _e844 = phi_1502_;
+                                let _e846 = phi_1503_;
+                                if _e842 {
+                                    if ((_e846.member_1 & 2147483648u) != 0u) {
+                                        phi_1521_ = _e803;
+                                        phi_1524_ = type_8(0u, ((_e846.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1296 = phi_1504_;
-                                            let _e1298 = phi_1507_;
+                                            let _e1296 = phi_1521_;
+                                            let _e1298 = phi_1524_;
                                             local_11 = _e1296;
                                             if (_e1298.member < _e1298.member_1) {
-                                                phi_1508_ = type_8((_e1298.member + 1u), _e1298.member_1);
-                                                phi_1530_ = type_8(1u, _e1298.member);
+                                                phi_1525_ = type_8((_e1298.member + 1u), _e1298.member_1);
+                                                phi_1547_ = type_8(1u, _e1298.member);
                                             } else {
-                                                phi_1508_ = _e1298;
-                                                phi_1530_ = type_8(0u, type_8().member_1);
+                                                phi_1525_ = _e1298;
+                                                phi_1547_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1311 = phi_1508_;
-                                            let _e1313 = phi_1530_;
+                                            let _e1311 = phi_1525_;
+                                            let _e1313 = phi_1547_;
                                             let _e1317 = (bitcast<i32>(_e1313.member) != 0i);
                                             if _e1317 {
-                                                let _e1318 = ((_e842.member_1 & 268435455u) + _e1313.member_1);
+                                                let _e1318 = ((_e846.member_1 & 268435455u) + _e1313.member_1);
                                                 let _e1319 = (_e1318 < _e107);
                                                 if _e1319 {
                                                     if _e1319 {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1323 = global_5.member[_e1318].member_1;
-                                                    phi_1551_ = _e1323;
+                                                    phi_1568_ = _e1323;
                                                 } else {
-                                                    phi_1551_ = 4294967295u;
+                                                    phi_1568_ = 4294967295u;
                                                 }
-                                                let _e1325 = phi_1551_;
+                                                let _e1325 = phi_1568_;
                                                 if (_e1318 >= _e107) {
-                                                    phi_1640_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1319 {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     if (_e763 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1332 = global_5.member[_e1318].member[_e763];
                                                     if (_e769 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1338 = global_5.member[_e1318].member[_e769];
                                                     if (_e775 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1344 = global_5.member[_e1318].member[_e775];
                                                     let _e1346 = (3u + _e763);
                                                     if (_e1346 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1352 = global_5.member[_e1318].member[_e1346];
                                                     let _e1353 = (3u + _e769);
                                                     if (_e1353 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1359 = global_5.member[_e1318].member[_e1353];
                                                     let _e1360 = (3u + _e775);
                                                     if (_e1360 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1366 = global_5.member[_e1318].member[_e1360];
                                                     let _e1368 = (6u + _e763);
                                                     if (_e1368 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1374 = global_5.member[_e1318].member[_e1368];
                                                     let _e1375 = (6u + _e769);
                                                     if (_e1375 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1381 = global_5.member[_e1318].member[_e1375];
                                                     let _e1382 = (6u + _e775);
                                                     if (_e1382 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1388 = global_5.member[_e1318].member[_e1382];
-                                                    phi_1640_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1332, _e1338, _e1344), array<f32, 3>(_e1352, _e1359, _e1366), array<f32, 3>(_e1374, _e1381, _e1388));
+                                                    phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1332, _e1338, _e1344), array<f32, 3>(_e1352, _e1359, _e1366), array<f32, 3>(_e1374, _e1381, _e1388));
                                                 }
-                                                let _e1392 = phi_1640_;
+                                                let _e1392 = phi_1660_;
                                                 let _e1400 = (_e1392[0][2] - _e606);
                                                 let _e1403 = (((_e1392[0][0] - _e473) * _e645) - (_e1400 * _e513));
                                                 let _e1406 = (((_e1392[0][1] - _e540) * _e645) - (_e1400 * _e579));
@@ -914,34 +914,34 @@ fn function_() {
                                                     let _e1462 = select(0f, _e1460, (_e1460 > 0f));
                                                     let _e1464 = ((_e1454 + _e1458) + _e1462);
                                                     if (_e1464 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2465_ = type_30();
-                                                        phi_2466_ = true;
-                                                        phi_2467_ = false;
+                                                        phi_2544_ = type_30();
+                                                        phi_2545_ = true;
+                                                        phi_2546_ = false;
                                                     } else {
                                                         let _e1467 = select(_e1416, _e1403, (_e1403 < _e1416));
                                                         if (select(_e1429, _e1467, (_e1467 < _e1429)) > 0f) {
-                                                            phi_1757_ = true;
+                                                            phi_1812_ = true;
                                                         } else {
                                                             let _e1472 = select(_e1416, _e1403, (_e1403 > _e1416));
-                                                            phi_1757_ = (select(_e1429, _e1472, (_e1472 > _e1429)) < 0f);
+                                                            phi_1812_ = (select(_e1429, _e1472, (_e1472 > _e1429)) < 0f);
                                                         }
-                                                        let _e1477 = phi_1757_;
+                                                        let _e1477 = phi_1812_;
                                                         if _e1477 {
-                                                            phi_2462_ = type_30();
-                                                            phi_2463_ = true;
-                                                            phi_2464_ = false;
+                                                            phi_2541_ = type_30();
+                                                            phi_2542_ = true;
+                                                            phi_2543_ = false;
                                                         } else {
                                                             let _e1479 = select(_e1419, _e1406, (_e1406 < _e1419));
                                                             if (select(_e1432, _e1479, (_e1479 < _e1432)) > 0f) {
-                                                                phi_1786_ = true;
+                                                                phi_1841_ = true;
                                                             } else {
                                                                 let _e1484 = select(_e1419, _e1406, (_e1406 > _e1419));
-                                                                phi_1786_ = (select(_e1432, _e1484, (_e1484 > _e1432)) < 0f);
+                                                                phi_1841_ = (select(_e1432, _e1484, (_e1484 > _e1432)) < 0f);
                                                             }
-                                                            let _e1489 = phi_1786_;
+                                                            let _e1489 = phi_1841_;
                                                             if _e1489 {
-                                                                phi_2460_ = type_30();
-                                                                phi_2461_ = false;
+                                                                phi_2539_ = type_30();
+                                                                phi_2540_ = false;
                                                             } else {
                                                                 let _e1491 = select(_e1392[1][0], _e1392[0][0], (_e1392[0][0] < _e1392[1][0]));
                                                                 let _e1495 = select(_e1392[1][0], _e1392[0][0], (_e1392[0][0] > _e1392[1][0]));
@@ -968,12 +968,12 @@ fn function_() {
                                                                 let _e1546 = -(_e1527);
                                                                 let _e1552 = select(_e759, _e1537, (_e1537 > _e759));
                                                                 if (_e1552 > (_e1545 + (select(_e1546, _e1529, (_e1529 > _e1546)) * 0.0000019073523f))) {
-                                                                    phi_2455_ = type_30();
-                                                                    phi_2456_ = true;
+                                                                    phi_2534_ = type_30();
+                                                                    phi_2535_ = true;
                                                                 } else {
                                                                     let _e1554 = (_e1552 > _e1296.member_1);
                                                                     if _e1554 {
-                                                                        phi_2454_ = type_30();
+                                                                        phi_2533_ = type_30();
                                                                     } else {
                                                                         let _e1555 = vec3<f32>(_e1392[0][0], _e1392[0][1], _e1392[0][2]);
                                                                         let _e1556 = vec3<f32>(_e1392[1][0], _e1392[1][1], _e1392[1][2]);
@@ -1008,49 +1008,49 @@ fn function_() {
                                                                         let _e1610 = select(_e1595, _e1582, (_e1582 > _e1595));
                                                                         let _e1612 = select(_e1608, _e1610, (_e1610 > _e1608));
                                                                         if (_e1582 == _e1612) {
-                                                                            phi_2187_ = _e1419;
-                                                                            phi_2188_ = _e1416;
-                                                                            phi_2189_ = _e1406;
-                                                                            phi_2190_ = _e1403;
-                                                                            phi_2191_ = _e1555;
-                                                                            phi_2192_ = _e1569;
-                                                                            phi_2193_ = _e1565;
-                                                                            phi_2194_ = _e1561;
+                                                                            phi_2260_ = _e1419;
+                                                                            phi_2261_ = _e1416;
+                                                                            phi_2262_ = _e1406;
+                                                                            phi_2263_ = _e1403;
+                                                                            phi_2264_ = _e1555;
+                                                                            phi_2265_ = _e1569;
+                                                                            phi_2266_ = _e1565;
+                                                                            phi_2267_ = _e1561;
                                                                         } else {
                                                                             let _e1614 = (_e1595 == _e1612);
                                                                             let _e1619 = vec3(_e1614);
-                                                                            phi_2187_ = select(_e1406, _e1432, _e1614);
-                                                                            phi_2188_ = select(_e1403, _e1429, _e1614);
-                                                                            phi_2189_ = select(_e1432, _e1419, _e1614);
-                                                                            phi_2190_ = select(_e1429, _e1416, _e1614);
-                                                                            phi_2191_ = select(_e1557, _e1556, _e1619);
-                                                                            phi_2192_ = select(_e1565, _e1561, _e1619);
-                                                                            phi_2193_ = select(_e1561, _e1569, _e1619);
-                                                                            phi_2194_ = select(_e1569, _e1565, _e1619);
+                                                                            phi_2260_ = select(_e1406, _e1432, _e1614);
+                                                                            phi_2261_ = select(_e1403, _e1429, _e1614);
+                                                                            phi_2262_ = select(_e1432, _e1419, _e1614);
+                                                                            phi_2263_ = select(_e1429, _e1416, _e1614);
+                                                                            phi_2264_ = select(_e1557, _e1556, _e1619);
+                                                                            phi_2265_ = select(_e1565, _e1561, _e1619);
+                                                                            phi_2266_ = select(_e1561, _e1569, _e1619);
+                                                                            phi_2267_ = select(_e1569, _e1565, _e1619);
                                                                         }
-                                                                        let _e1625 = phi_2187_;
-                                                                        let _e1627 = phi_2188_;
-                                                                        let _e1629 = phi_2189_;
-                                                                        let _e1631 = phi_2190_;
-                                                                        let _e1633 = phi_2191_;
-                                                                        let _e1635 = phi_2192_;
-                                                                        let _e1637 = phi_2193_;
-                                                                        let _e1639 = phi_2194_;
+                                                                        let _e1625 = phi_2260_;
+                                                                        let _e1627 = phi_2261_;
+                                                                        let _e1629 = phi_2262_;
+                                                                        let _e1631 = phi_2263_;
+                                                                        let _e1633 = phi_2264_;
+                                                                        let _e1635 = phi_2265_;
+                                                                        let _e1637 = phi_2266_;
+                                                                        let _e1639 = phi_2267_;
                                                                         let _e1646 = ((_e1637.y * _e1635.z) - (_e1635.y * _e1637.z));
                                                                         let _e1651 = ((_e1637.z * _e1635.x) - (_e1635.z * _e1637.x));
                                                                         let _e1654 = ((_e1637.x * _e1635.y) - (_e1635.x * _e1637.y));
                                                                         if (_e1454 >= _e1458) {
-                                                                            phi_2225_ = select(true, false, (_e1454 >= _e1462));
+                                                                            phi_2304_ = select(true, false, (_e1454 >= _e1462));
                                                                         } else {
-                                                                            phi_2225_ = true;
+                                                                            phi_2304_ = true;
                                                                         }
-                                                                        let _e1659 = phi_2225_;
+                                                                        let _e1659 = phi_2304_;
                                                                         if _e1659 {
-                                                                            phi_2234_ = select(_e1557, _e1556, vec3((_e1458 >= _e1462)));
+                                                                            phi_2313_ = select(_e1557, _e1556, vec3((_e1458 >= _e1462)));
                                                                         } else {
-                                                                            phi_2234_ = _e1555;
+                                                                            phi_2313_ = _e1555;
                                                                         }
-                                                                        let _e1664 = phi_2234_;
+                                                                        let _e1664 = phi_2313_;
                                                                         let _e1675 = (((_e1646 * (_e1664.x - _e473)) + (_e1651 * (_e1664.y - _e540))) + (_e1654 * (_e1664.z - _e606)));
                                                                         let _e1680 = (((_e1646 * _e513) + (_e1651 * _e579)) + (_e1654 * _e645));
                                                                         let _e1681 = (_e1627 - _e1631);
@@ -1082,168 +1082,168 @@ fn function_() {
                                                                             let _e1778 = bitcast<f32>((bitcast<u32>(_e1635.z) & 2147483647u));
                                                                             let _e1782 = (bitcast<f32>((bitcast<u32>(_e1680) & 2147483647u)) > ((0.0000038146973f * select(_e1764, _e1761, (_e1761 > _e1764))) * select(_e1778, _e1775, (_e1775 > _e1778))));
                                                                             if _e1782 {
-                                                                                phi_2399_ = (_e1675 / _e1680);
+                                                                                phi_2478_ = (_e1675 / _e1680);
                                                                             } else {
-                                                                                phi_2399_ = f32();
+                                                                                phi_2478_ = f32();
                                                                             }
-                                                                            let _e1785 = phi_2399_;
-                                                                            phi_2401_ = _e1785;
-                                                                            phi_2402_ = select(true, false, _e1782);
+                                                                            let _e1785 = phi_2478_;
+                                                                            phi_2480_ = _e1785;
+                                                                            phi_2481_ = select(true, false, _e1782);
                                                                         } else {
-                                                                            phi_2401_ = f32();
-                                                                            phi_2402_ = true;
+                                                                            phi_2480_ = f32();
+                                                                            phi_2481_ = true;
                                                                         }
-                                                                        let _e1788 = phi_2401_;
-                                                                        let _e1790 = phi_2402_;
+                                                                        let _e1788 = phi_2480_;
+                                                                        let _e1790 = phi_2481_;
                                                                         if _e1790 {
                                                                             let _e1798 = (((_e1646 * (_e1707 - (_e513 * _e1710))) + (_e1651 * (_e1708 - (_e579 * _e1710)))) / _e1680);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1798) & 2147483647u)) <= _e1612) {
-                                                                                phi_2422_ = (_e1710 + _e1798);
+                                                                                phi_2501_ = (_e1710 + _e1798);
                                                                             } else {
-                                                                                phi_2422_ = _e1710;
+                                                                                phi_2501_ = _e1710;
                                                                             }
-                                                                            let _e1805 = phi_2422_;
-                                                                            phi_2423_ = _e1805;
+                                                                            let _e1805 = phi_2501_;
+                                                                            phi_2502_ = _e1805;
                                                                         } else {
-                                                                            phi_2423_ = _e1788;
+                                                                            phi_2502_ = _e1788;
                                                                         }
-                                                                        let _e1807 = phi_2423_;
+                                                                        let _e1807 = phi_2502_;
                                                                         let _e1809 = select(_e1545, _e1807, (_e1807 < _e1545));
                                                                         let _e1811 = select(_e1537, _e1809, (_e1809 > _e1537));
                                                                         if (_e1811 >= _e759) {
                                                                             let _e1813 = (_e1811 <= _e1296.member_1);
                                                                             if _e1813 {
                                                                                 let _e1814 = (1f / _e1464);
-                                                                                phi_2446_ = type_30(_e1811, (_e1458 * _e1814), (_e1462 * _e1814), _e1325);
+                                                                                phi_2525_ = type_30(_e1811, (_e1458 * _e1814), (_e1462 * _e1814), _e1325);
                                                                             } else {
-                                                                                phi_2446_ = type_30();
+                                                                                phi_2525_ = type_30();
                                                                             }
-                                                                            let _e1819 = phi_2446_;
-                                                                            phi_2448_ = _e1819;
-                                                                            phi_2449_ = select(true, false, _e1813);
+                                                                            let _e1819 = phi_2525_;
+                                                                            phi_2527_ = _e1819;
+                                                                            phi_2528_ = select(true, false, _e1813);
                                                                         } else {
-                                                                            phi_2448_ = type_30();
-                                                                            phi_2449_ = true;
+                                                                            phi_2527_ = type_30();
+                                                                            phi_2528_ = true;
                                                                         }
-                                                                        let _e1822 = phi_2448_;
-                                                                        let _e1824 = phi_2449_;
+                                                                        let _e1822 = phi_2527_;
+                                                                        let _e1824 = phi_2528_;
                                                                         if _e1824 {
-                                                                            phi_2453_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2532_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2453_ = _e1822;
+                                                                            phi_2532_ = _e1822;
                                                                         }
-                                                                        let _e1826 = phi_2453_;
-                                                                        phi_2454_ = _e1826;
+                                                                        let _e1826 = phi_2532_;
+                                                                        phi_2533_ = _e1826;
                                                                     }
-                                                                    let _e1828 = phi_2454_;
-                                                                    phi_2455_ = _e1828;
-                                                                    phi_2456_ = _e1554;
+                                                                    let _e1828 = phi_2533_;
+                                                                    phi_2534_ = _e1828;
+                                                                    phi_2535_ = _e1554;
                                                                 }
-                                                                let _e1830 = phi_2455_;
-                                                                let _e1832 = phi_2456_;
-                                                                phi_2460_ = _e1830;
-                                                                phi_2461_ = _e1832;
+                                                                let _e1830 = phi_2534_;
+                                                                let _e1832 = phi_2535_;
+                                                                phi_2539_ = _e1830;
+                                                                phi_2540_ = _e1832;
                                                             }
-                                                            let _e1834 = phi_2460_;
-                                                            let _e1836 = phi_2461_;
-                                                            phi_2462_ = _e1834;
-                                                            phi_2463_ = _e1489;
-                                                            phi_2464_ = _e1836;
+                                                            let _e1834 = phi_2539_;
+                                                            let _e1836 = phi_2540_;
+                                                            phi_2541_ = _e1834;
+                                                            phi_2542_ = _e1489;
+                                                            phi_2543_ = _e1836;
                                                         }
-                                                        let _e1838 = phi_2462_;
-                                                        let _e1840 = phi_2463_;
-                                                        let _e1842 = phi_2464_;
-                                                        phi_2465_ = _e1838;
-                                                        phi_2466_ = _e1840;
-                                                        phi_2467_ = _e1842;
+                                                        let _e1838 = phi_2541_;
+                                                        let _e1840 = phi_2542_;
+                                                        let _e1842 = phi_2543_;
+                                                        phi_2544_ = _e1838;
+                                                        phi_2545_ = _e1840;
+                                                        phi_2546_ = _e1842;
                                                     }
-                                                    let _e1844 = phi_2465_;
-                                                    let _e1846 = phi_2466_;
-                                                    let _e1848 = phi_2467_;
-                                                    phi_2475_ = _e1844;
-                                                    phi_2476_ = select(_e1848, true, _e1846);
+                                                    let _e1844 = phi_2544_;
+                                                    let _e1846 = phi_2545_;
+                                                    let _e1848 = phi_2546_;
+                                                    phi_2554_ = _e1844;
+                                                    phi_2555_ = select(_e1848, true, _e1846);
                                                 } else {
-                                                    phi_2475_ = type_30();
-                                                    phi_2476_ = true;
+                                                    phi_2554_ = type_30();
+                                                    phi_2555_ = true;
                                                 }
-                                                let _e1851 = phi_2475_;
-                                                let _e1853 = phi_2476_;
+                                                let _e1851 = phi_2554_;
+                                                let _e1853 = phi_2555_;
                                                 if _e1853 {
-                                                    phi_2480_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2559_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2480_ = _e1851;
+                                                    phi_2559_ = _e1851;
                                                 }
-                                                let _e1855 = phi_2480_;
+                                                let _e1855 = phi_2559_;
                                                 if (_e1855.member_3 != 4294967295u) {
                                                     if (_e1325 == _e172) {
-                                                        phi_2809_ = false;
+                                                        phi_2894_ = false;
                                                     } else {
                                                         let _e1859 = (_e1325 < arrayLength((&global_6.member)));
                                                         if _e1859 {
                                                             if _e1859 {
                                                             } else {
-                                                                phi_4487_ = true;
+                                                                phi_4603_ = true;
                                                                 break;
                                                             }
                                                             let _e1861 = global_6.member[_e1325];
-                                                            phi_2503_ = _e1861;
+                                                            phi_2582_ = _e1861;
                                                         } else {
-                                                            phi_2503_ = 4294967295u;
+                                                            phi_2582_ = 4294967295u;
                                                         }
-                                                        let _e1863 = phi_2503_;
+                                                        let _e1863 = phi_2582_;
                                                         let _e1864 = (_e1863 < arrayLength((&global_7.member)));
                                                         if _e1864 {
                                                             if _e1864 {
                                                             } else {
-                                                                phi_4487_ = true;
+                                                                phi_4603_ = true;
                                                                 break;
                                                             }
                                                             let _e1866 = global_7.member[_e1863];
-                                                            phi_2517_ = _e1866;
+                                                            phi_2596_ = _e1866;
                                                         } else {
-                                                            phi_2517_ = 0i;
+                                                            phi_2596_ = 0i;
                                                         }
-                                                        let _e1868 = phi_2517_;
+                                                        let _e1868 = phi_2596_;
                                                         let _e1869 = (_e1868 == 0i);
                                                         if _e1869 {
-                                                            phi_2808_ = true;
+                                                            phi_2893_ = true;
                                                         } else {
                                                             if _e450 {
-                                                                phi_2538_ = vec3<f32>(_e1392[0][0], _e1392[0][1], _e1392[0][2]);
+                                                                phi_2619_ = vec3<f32>(_e1392[0][0], _e1392[0][1], _e1392[0][2]);
                                                             } else {
                                                                 if (_e426 == 1u) {
-                                                                    phi_2537_ = vec3<f32>(_e1392[0][2], _e1392[0][0], _e1392[0][1]);
+                                                                    phi_2618_ = vec3<f32>(_e1392[0][2], _e1392[0][0], _e1392[0][1]);
                                                                 } else {
-                                                                    phi_2537_ = vec3<f32>(_e1392[0][1], _e1392[0][2], _e1392[0][0]);
+                                                                    phi_2618_ = vec3<f32>(_e1392[0][1], _e1392[0][2], _e1392[0][0]);
                                                                 }
-                                                                let _e1874 = phi_2537_;
-                                                                phi_2538_ = _e1874;
+                                                                let _e1874 = phi_2618_;
+                                                                phi_2619_ = _e1874;
                                                             }
-                                                            let _e1877 = phi_2538_;
+                                                            let _e1877 = phi_2619_;
                                                             if _e450 {
-                                                                phi_2555_ = vec3<f32>(_e1392[1][0], _e1392[1][1], _e1392[1][2]);
+                                                                phi_2638_ = vec3<f32>(_e1392[1][0], _e1392[1][1], _e1392[1][2]);
                                                             } else {
                                                                 if (_e426 == 1u) {
-                                                                    phi_2554_ = vec3<f32>(_e1392[1][2], _e1392[1][0], _e1392[1][1]);
+                                                                    phi_2637_ = vec3<f32>(_e1392[1][2], _e1392[1][0], _e1392[1][1]);
                                                                 } else {
-                                                                    phi_2554_ = vec3<f32>(_e1392[1][1], _e1392[1][2], _e1392[1][0]);
+                                                                    phi_2637_ = vec3<f32>(_e1392[1][1], _e1392[1][2], _e1392[1][0]);
                                                                 }
-                                                                let _e1882 = phi_2554_;
-                                                                phi_2555_ = _e1882;
+                                                                let _e1882 = phi_2637_;
+                                                                phi_2638_ = _e1882;
                                                             }
-                                                            let _e1885 = phi_2555_;
+                                                            let _e1885 = phi_2638_;
                                                             if _e450 {
-                                                                phi_2572_ = vec3<f32>(_e1392[2][0], _e1392[2][1], _e1392[2][2]);
+                                                                phi_2657_ = vec3<f32>(_e1392[2][0], _e1392[2][1], _e1392[2][2]);
                                                             } else {
                                                                 if (_e426 == 1u) {
-                                                                    phi_2571_ = vec3<f32>(_e1392[2][2], _e1392[2][0], _e1392[2][1]);
+                                                                    phi_2656_ = vec3<f32>(_e1392[2][2], _e1392[2][0], _e1392[2][1]);
                                                                 } else {
-                                                                    phi_2571_ = vec3<f32>(_e1392[2][1], _e1392[2][2], _e1392[2][0]);
+                                                                    phi_2656_ = vec3<f32>(_e1392[2][1], _e1392[2][2], _e1392[2][0]);
                                                                 }
-                                                                let _e1890 = phi_2571_;
-                                                                phi_2572_ = _e1890;
+                                                                let _e1890 = phi_2656_;
+                                                                phi_2657_ = _e1890;
                                                             }
-                                                            let _e1893 = phi_2572_;
+                                                            let _e1893 = phi_2657_;
                                                             let _e1896 = (_e1885.x - _e1877.x);
                                                             let _e1899 = (_e1885.y - _e1877.y);
                                                             let _e1902 = (_e1885.z - _e1877.z);
@@ -1251,11 +1251,11 @@ fn function_() {
                                                             let _e1906 = (_e1893.y - _e1877.y);
                                                             let _e1908 = (_e1893.z - _e1877.z);
                                                             if (_e304.member_1 == 1u) {
-                                                                phi_2608_ = (vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]) - _e1877);
+                                                                phi_2693_ = (vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]) - _e1877);
                                                             } else {
-                                                                phi_2608_ = vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]);
+                                                                phi_2693_ = vec3<f32>(_e304.member[0], _e304.member[1], _e304.member[2]);
                                                             }
-                                                            let _e1923 = phi_2608_;
+                                                            let _e1923 = phi_2693_;
                                                             let _e1929 = bitcast<f32>((bitcast<u32>((_e1896 * _e1906)) ^ _e304.member_3[0]));
                                                             let _e1933 = bitcast<f32>((bitcast<u32>((_e1899 * _e1904)) ^ _e304.member_3[0]));
                                                             let _e1937 = bitcast<f32>((bitcast<u32>((_e1899 * _e1908)) ^ _e304.member_3[0]));
@@ -1269,7 +1269,7 @@ fn function_() {
                                                             let _e1983 = (bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u)));
                                                             let _e1990 = (bitcast<f32>((bitcast<u32>(_e1929) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1933) & 2147483647u)));
                                                             if (_e304.member_2 == 0f) {
-                                                                phi_2790_ = 0f;
+                                                                phi_2875_ = 0f;
                                                             } else {
                                                                 let _e2020 = bitcast<f32>((bitcast<u32>(_e1950) & 2147483647u));
                                                                 let _e2023 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
@@ -1279,104 +1279,104 @@ fn function_() {
                                                                 let _e2036 = select(_e2023, _e2020, (_e2020 < _e2023));
                                                                 let _e2038 = select(_e2023, _e2020, (_e2020 > _e2023));
                                                                 let _e2040 = select(_e2026, _e2038, (_e2038 < _e2026));
-                                                                phi_2790_ = bitcast<f32>((bitcast<u32>((_e304.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2028, _e2020, (_e2020 > _e2028)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2040, _e2036, (_e2036 > _e2040)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2032, _e2020, (_e2020 < _e2032)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1976 + _e1983) + _e1990))) ^ _e304.member_3[0]))) * 1.0000005f)) ^ _e304.member_3[0])))) ^ _e304.member_3[0]));
+                                                                phi_2875_ = bitcast<f32>((bitcast<u32>((_e304.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2028, _e2020, (_e2020 > _e2028)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2040, _e2036, (_e2036 > _e2040)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2032, _e2020, (_e2020 < _e2032)))) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1976 + _e1983) + _e1990))) ^ _e304.member_3[0]))) * 1.0000005f)) ^ _e304.member_3[0])))) ^ _e304.member_3[0]));
                                                             }
-                                                            let _e2067 = phi_2790_;
-                                                            phi_2808_ = (_e1869 || !(((((bitcast<f32>((bitcast<u32>((_e1923.x * _e1950)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1923.y * _e1951)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1923.z * _e1952)) ^ _e304.member_3[0]))) * f32(-(_e1868))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.x) & 2147483647u)) * _e1976)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.y) & 2147483647u)) * _e1983)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.z) & 2147483647u)) * _e1990)) ^ _e304.member_3[0]))))) ^ _e304.member_3[0])) + _e2067) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2067 = phi_2875_;
+                                                            phi_2893_ = (_e1869 || !(((((bitcast<f32>((bitcast<u32>((_e1923.x * _e1950)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1923.y * _e1951)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1923.z * _e1952)) ^ _e304.member_3[0]))) * f32(-(_e1868))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.x) & 2147483647u)) * _e1976)) ^ _e304.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.y) & 2147483647u)) * _e1983)) ^ _e304.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1923.z) & 2147483647u)) * _e1990)) ^ _e304.member_3[0]))))) ^ _e304.member_3[0])) + _e2067) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2081 = phi_2808_;
-                                                        phi_2809_ = _e2081;
+                                                        let _e2081 = phi_2893_;
+                                                        phi_2894_ = _e2081;
                                                     }
-                                                    let _e2083 = phi_2809_;
+                                                    let _e2083 = phi_2894_;
                                                     if _e2083 {
                                                         if (_e1855.member < _e1296.member.member) {
-                                                            phi_2829_ = true;
+                                                            phi_2914_ = true;
                                                         } else {
                                                             if (_e1855.member == _e1296.member.member) {
-                                                                phi_2828_ = (_e1855.member_3 < _e1296.member.member_3);
+                                                                phi_2913_ = (_e1855.member_3 < _e1296.member.member_3);
                                                             } else {
-                                                                phi_2828_ = false;
+                                                                phi_2913_ = false;
                                                             }
-                                                            let _e2093 = phi_2828_;
-                                                            phi_2829_ = _e2093;
+                                                            let _e2093 = phi_2913_;
+                                                            phi_2914_ = _e2093;
                                                         }
-                                                        let _e2095 = phi_2829_;
+                                                        let _e2095 = phi_2914_;
                                                         if _e2095 {
-                                                            phi_2835_ = type_47(_e1855, _e1855.member);
+                                                            phi_2920_ = type_48(_e1855, _e1855.member);
                                                         } else {
-                                                            phi_2835_ = _e1296;
+                                                            phi_2920_ = _e1296;
                                                         }
-                                                        let _e2098 = phi_2835_;
-                                                        phi_2836_ = _e2098;
+                                                        let _e2098 = phi_2920_;
+                                                        phi_2921_ = _e2098;
                                                     } else {
-                                                        phi_2836_ = _e1296;
+                                                        phi_2921_ = _e1296;
                                                     }
-                                                    let _e2100 = phi_2836_;
-                                                    phi_2837_ = _e2100;
+                                                    let _e2100 = phi_2921_;
+                                                    phi_2922_ = _e2100;
                                                 } else {
-                                                    phi_2837_ = _e1296;
+                                                    phi_2922_ = _e1296;
                                                 }
-                                                let _e2102 = phi_2837_;
-                                                phi_1505_ = _e2102;
+                                                let _e2102 = phi_2922_;
+                                                phi_1522_ = _e2102;
                                             } else {
-                                                phi_1505_ = type_47();
+                                                phi_1522_ = type_48();
                                             }
-                                            let _e2104 = phi_1505_;
+                                            let _e2104 = phi_1522_;
                                             continue;
                                             continuing {
-                                                phi_1504_ = _e2104;
-                                                phi_1507_ = _e1311;
-                                                phi_4487_ = _e801;
+                                                phi_1521_ = _e2104;
+                                                phi_1524_ = _e1311;
+                                                phi_4603_ = _e801;
                                                 break if !(_e1317);
                                             }
                                         }
-                                        let _e2107 = phi_4487_;
-                                        phi_4679_ = _e2107;
+                                        let _e2107 = phi_4603_;
+                                        phi_4795_ = _e2107;
                                         if _e2107 {
                                             break;
                                         }
-                                        phi_4683_ = _e2107;
+                                        phi_4799_ = _e2107;
                                         let _e2440 = local_11;
-                                        phi_4042_ = _e2440;
-                                        phi_4043_ = _e842;
-                                        phi_4044_ = false;
-                                        phi_4045_ = _e846;
+                                        phi_4158_ = _e2440;
+                                        phi_4159_ = false;
+                                        phi_4160_ = _e844;
+                                        phi_4161_ = _e846;
                                     } else {
-                                        if (_e842.member_1 >= _e105) {
-                                            phi_3598_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e846.member_1 >= _e105) {
+                                            phi_3693_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e842.member_1 < _e105) {
+                                            if (_e846.member_1 < _e105) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
                                             let _e858 = ((1u + _e426) % 4u);
                                             if (_e858 < 4u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e863 = global_4.member[_e842.member_1][_e858];
+                                            let _e863 = global_4.member[_e846.member_1][_e858];
                                             let _e865 = (_e863 >> bitcast<u32>(11u));
                                             let _e867 = ((1u + _e425) % 4u);
                                             if (_e867 < 4u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e872 = global_4.member[_e842.member_1][_e867];
+                                            let _e872 = global_4.member[_e846.member_1][_e867];
                                             let _e874 = (_e872 >> bitcast<u32>(11u));
                                             let _e876 = ((1u + _e427) % 4u);
                                             if (_e876 < 4u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e881 = global_4.member[_e842.member_1][_e876];
+                                            let _e881 = global_4.member[_e846.member_1][_e876];
                                             let _e883 = (_e881 >> bitcast<u32>(11u));
-                                            let _e906 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.x - _e842.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e907 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.y - _e842.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e908 = (bitcast<f32>((bitcast<u32>((_e842.member.member_1.z - _e842.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e906 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.x - _e846.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e907 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.y - _e846.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e908 = (bitcast<f32>((bitcast<u32>((_e846.member.member_1.z - _e846.member.member.z)) & 2139095040u)) * 0.001953125f);
                                             let _e910 = select(_e163, _e906, (_e906 > _e163));
                                             let _e912 = select(_e163, _e907, (_e907 > _e163));
                                             let _e914 = select(_e163, _e908, (_e908 > _e163));
@@ -1404,10 +1404,10 @@ fn function_() {
                                             let _e1014 = bitcast<f32>((_e984 & bitcast<u32>(~(_e989))));
                                             let _e1018 = bitcast<f32>((_e993 & bitcast<u32>(~(_e998))));
                                             let _e1022 = bitcast<f32>((_e1002 & bitcast<u32>(~(_e1007))));
-                                            let _e1052 = global_4.member[_e842.member_1][0u];
-                                            let _e1056 = global_4.member[_e842.member_1][1u];
-                                            let _e1060 = global_4.member[_e842.member_1][2u];
-                                            let _e1064 = global_4.member[_e842.member_1][3u];
+                                            let _e1052 = global_4.member[_e846.member_1][0u];
+                                            let _e1056 = global_4.member[_e846.member_1][1u];
+                                            let _e1060 = global_4.member[_e846.member_1][2u];
+                                            let _e1064 = global_4.member[_e846.member_1][3u];
                                             let _e1076 = (((_e1056 >> bitcast<u32>(22i)) | ((_e1060 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1064 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
                                             let _e1077 = (_e1052 & 268435455u);
                                             let _e1078 = (_e1076 & 268435455u);
@@ -1415,48 +1415,48 @@ fn function_() {
                                             let _e1089 = ((_e1052 >> bitcast<u32>(31i)) | (((_e1076 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
                                             let _e1090 = (_e1081 != 0u);
                                             if (_e1081 == 0u) {
-                                                phi_3560_ = _e1077;
+                                                phi_3655_ = _e1077;
                                             } else {
                                                 if (_e1081 == 7u) {
-                                                    phi_3559_ = 2147483648u;
+                                                    phi_3654_ = 2147483648u;
                                                 } else {
-                                                    phi_3559_ = ((2147483648u | (_e1081 << bitcast<u32>(28u))) | (_e1078 & 268435455u));
+                                                    phi_3654_ = ((2147483648u | (_e1081 << bitcast<u32>(28u))) | (_e1078 & 268435455u));
                                                 }
-                                                let _e1099 = phi_3559_;
-                                                phi_3560_ = _e1099;
+                                                let _e1099 = phi_3654_;
+                                                phi_3655_ = _e1099;
                                             }
-                                            let _e1101 = phi_3560_;
+                                            let _e1101 = phi_3655_;
                                             if _e1090 {
                                                 let _e1102 = (_e1081 != 7u);
                                                 if _e1102 {
-                                                    phi_3570_ = (_e1078 + _e1081);
+                                                    phi_3665_ = (_e1078 + _e1081);
                                                 } else {
-                                                    phi_3570_ = u32();
+                                                    phi_3665_ = u32();
                                                 }
-                                                let _e1105 = phi_3570_;
-                                                phi_3572_ = _e1105;
-                                                phi_3573_ = select(true, false, _e1102);
+                                                let _e1105 = phi_3665_;
+                                                phi_3667_ = _e1105;
+                                                phi_3668_ = select(true, false, _e1102);
                                             } else {
-                                                phi_3572_ = u32();
-                                                phi_3573_ = true;
+                                                phi_3667_ = u32();
+                                                phi_3668_ = true;
                                             }
-                                            let _e1108 = phi_3572_;
-                                            let _e1110 = phi_3573_;
+                                            let _e1108 = phi_3667_;
+                                            let _e1110 = phi_3668_;
                                             if (_e1089 == 0u) {
-                                                phi_3594_ = (_e1077 + select(0u, 1u, !(_e1090)));
+                                                phi_3689_ = (_e1077 + select(0u, 1u, !(_e1090)));
                                             } else {
                                                 if (_e1089 == 7u) {
-                                                    phi_3593_ = 2147483648u;
+                                                    phi_3688_ = 2147483648u;
                                                 } else {
-                                                    phi_3593_ = ((2147483648u | (_e1089 << bitcast<u32>(28u))) | (select(_e1108, _e1078, _e1110) & 268435455u));
+                                                    phi_3688_ = ((2147483648u | (_e1089 << bitcast<u32>(28u))) | (select(_e1108, _e1078, _e1110) & 268435455u));
                                                 }
-                                                let _e1123 = phi_3593_;
-                                                phi_3594_ = _e1123;
+                                                let _e1123 = phi_3688_;
+                                                phi_3689_ = _e1123;
                                             }
-                                            let _e1125 = phi_3594_;
-                                            phi_3598_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e842.member.member.x + _e953), (_e842.member.member.x + _e975), (_e842.member.member_1.x - _e992), (_e842.member.member_1.x - _e1014)), vec4<f32>((_e842.member.member.y + _e962), (_e842.member.member.y + _e979), (_e842.member.member_1.y - _e1001), (_e842.member.member_1.y - _e1018)), vec4<f32>((_e842.member.member.z + _e971), (_e842.member.member.z + _e983), (_e842.member.member_1.z - _e1010), (_e842.member.member_1.z - _e1022))), type_62(type_42((_e842.member.member + vec4<f32>(_e953, _e962, _e971, 0f)), (_e842.member.member_1 - vec4<f32>(_e992, _e1001, _e1010, 0f))), _e1101), type_62(type_42((_e842.member.member + vec4<f32>(_e975, _e979, _e983, 0f)), (_e842.member.member_1 - vec4<f32>(_e1014, _e1018, _e1022, 0f))), _e1125));
+                                            let _e1125 = phi_3689_;
+                                            phi_3693_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e846.member.member.x + _e953), (_e846.member.member.x + _e975), (_e846.member.member_1.x - _e992), (_e846.member.member_1.x - _e1014)), vec4<f32>((_e846.member.member.y + _e962), (_e846.member.member.y + _e979), (_e846.member.member_1.y - _e1001), (_e846.member.member_1.y - _e1018)), vec4<f32>((_e846.member.member.z + _e971), (_e846.member.member.z + _e983), (_e846.member.member_1.z - _e1010), (_e846.member.member_1.z - _e1022))), type_62(type_42((_e846.member.member + vec4<f32>(_e953, _e962, _e971, 0f)), (_e846.member.member_1 - vec4<f32>(_e992, _e1001, _e1010, 0f))), _e1101), type_62(type_42((_e846.member.member + vec4<f32>(_e975, _e979, _e983, 0f)), (_e846.member.member_1 - vec4<f32>(_e1014, _e1018, _e1022, 0f))), _e1125));
                                         }
-                                        let _e1130 = phi_3598_;
+                                        let _e1130 = phi_3693_;
                                         let _e1142 = ((_e1130.member[0].x - _e511) * _e516);
                                         let _e1143 = ((_e1130.member[0].y - _e511) * _e516);
                                         let _e1144 = ((_e1130.member[0].z - _e512) * _e516);
@@ -1499,188 +1499,188 @@ fn function_() {
                                         if _e1230 {
                                             if _e1231 {
                                                 if _e1232 {
-                                                    phi_3942_ = _e1130.member_2;
+                                                    phi_4055_ = _e1130.member_2;
                                                 } else {
-                                                    phi_3942_ = _e1130.member_1;
+                                                    phi_4055_ = _e1130.member_1;
                                                 }
-                                                let _e1236 = phi_3942_;
-                                                let _e1258 = (_e846 % 128u);
+                                                let _e1236 = phi_4055_;
+                                                let _e1258 = (_e844 % 128u);
                                                 let _e1259 = (_e1258 < 128u);
                                                 if _e1259 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_8[_e1258] = _e1236.member_1;
                                                 if _e1259 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_7[_e1258] = _e1236.member.member.x;
                                                 if _e1259 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1258] = _e1236.member.member.y;
                                                 if _e1259 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1258] = _e1236.member.member.z;
                                                 if _e1259 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1258] = _e1236.member.member_1.x;
                                                 if _e1259 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1258] = _e1236.member.member_1.y;
                                                 if _e1259 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1258] = _e1236.member.member_1.z;
                                                 if _e1259 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1258] = select(_e1225, _e1223, (_e1223 > _e1225));
+                                                local_9[_e1258] = select(_e1225, _e1223, !(_e1232));
                                                 if _e1232 {
-                                                    phi_4019_ = _e1130.member_1;
+                                                    phi_4132_ = _e1130.member_1;
                                                 } else {
-                                                    phi_4019_ = _e1130.member_2;
+                                                    phi_4132_ = _e1130.member_2;
                                                 }
-                                                let _e1272 = phi_4019_;
-                                                phi_4020_ = _e1272;
-                                                phi_4021_ = (_e846 + 1u);
+                                                let _e1272 = phi_4132_;
+                                                phi_4133_ = (_e844 + 1u);
+                                                phi_4134_ = _e1272;
                                             } else {
-                                                phi_4020_ = type_62();
-                                                phi_4021_ = u32();
+                                                phi_4133_ = u32();
+                                                phi_4134_ = type_62();
                                             }
-                                            let _e1274 = phi_4020_;
-                                            let _e1276 = phi_4021_;
-                                            phi_4023_ = _e1274;
-                                            phi_4024_ = _e1276;
-                                            phi_4025_ = select(true, false, _e1231);
+                                            let _e1274 = phi_4133_;
+                                            let _e1276 = phi_4134_;
+                                            phi_4136_ = _e1274;
+                                            phi_4137_ = _e1276;
+                                            phi_4138_ = select(true, false, _e1231);
                                         } else {
-                                            phi_4023_ = type_62();
-                                            phi_4024_ = u32();
-                                            phi_4025_ = true;
+                                            phi_4136_ = u32();
+                                            phi_4137_ = type_62();
+                                            phi_4138_ = true;
                                         }
-                                        let _e1279 = phi_4023_;
-                                        let _e1281 = phi_4024_;
-                                        let _e1283 = phi_4025_;
+                                        let _e1279 = phi_4136_;
+                                        let _e1281 = phi_4137_;
+                                        let _e1283 = phi_4138_;
                                         if _e1283 {
                                             if _e1230 {
-                                                phi_4034_ = _e1130.member_1;
+                                                phi_4147_ = _e1130.member_1;
                                             } else {
-                                                phi_4034_ = _e1130.member_2;
+                                                phi_4147_ = _e1130.member_2;
                                             }
-                                            let _e1287 = phi_4034_;
-                                            phi_4039_ = _e1287;
-                                            phi_4040_ = select(_e1231, true, _e1230);
+                                            let _e1287 = phi_4147_;
+                                            phi_4152_ = select(_e1231, true, _e1230);
+                                            phi_4154_ = _e1287;
                                         } else {
-                                            phi_4039_ = _e1279;
-                                            phi_4040_ = _e844;
+                                            phi_4152_ = _e842;
+                                            phi_4154_ = _e1281;
                                         }
-                                        let _e1290 = phi_4039_;
-                                        let _e1292 = phi_4040_;
-                                        phi_4683_ = _e801;
-                                        phi_4042_ = _e803;
-                                        phi_4043_ = _e1290;
-                                        phi_4044_ = _e1292;
-                                        phi_4045_ = select(_e1281, _e846, _e1283);
+                                        let _e1290 = phi_4152_;
+                                        let _e1292 = phi_4154_;
+                                        phi_4799_ = _e801;
+                                        phi_4158_ = _e803;
+                                        phi_4159_ = _e1290;
+                                        phi_4160_ = select(_e1279, _e844, _e1283);
+                                        phi_4161_ = _e1292;
                                     }
-                                    let _e2109 = phi_4683_;
-                                    let _e2111 = phi_4042_;
-                                    let _e2113 = phi_4043_;
-                                    let _e2115 = phi_4044_;
-                                    let _e2117 = phi_4045_;
-                                    phi_4682_ = _e2109;
-                                    phi_4046_ = _e2111;
-                                    phi_4047_ = _e2113;
-                                    phi_4048_ = (_e807 - 1u);
-                                    phi_4049_ = _e2115;
-                                    phi_4050_ = _e2117;
+                                    let _e2109 = phi_4799_;
+                                    let _e2111 = phi_4158_;
+                                    let _e2113 = phi_4159_;
+                                    let _e2115 = phi_4160_;
+                                    let _e2117 = phi_4161_;
+                                    phi_4798_ = _e2109;
+                                    phi_4162_ = _e2111;
+                                    phi_4163_ = _e2113;
+                                    phi_4164_ = (_e807 - 1u);
+                                    phi_4165_ = _e2115;
+                                    phi_4166_ = _e2117;
                                 } else {
-                                    phi_4682_ = _e801;
-                                    phi_4046_ = _e803;
-                                    phi_4047_ = _e842;
-                                    phi_4048_ = _e807;
-                                    phi_4049_ = _e844;
-                                    phi_4050_ = _e846;
+                                    phi_4798_ = _e801;
+                                    phi_4162_ = _e803;
+                                    phi_4163_ = _e842;
+                                    phi_4164_ = _e807;
+                                    phi_4165_ = _e844;
+                                    phi_4166_ = _e846;
                                 }
-                                let _e2119 = phi_4682_;
-                                let _e2121 = phi_4046_;
-                                let _e2123 = phi_4047_;
-                                let _e2125 = phi_4048_;
-                                let _e2127 = phi_4049_;
-                                let _e2129 = phi_4050_;
-                                phi_4681_ = _e2119;
-                                phi_4051_ = _e2121;
-                                phi_4052_ = _e2123;
-                                phi_4053_ = _e2125;
-                                phi_4054_ = _e2127;
-                                phi_4055_ = _e2129;
+                                let _e2119 = phi_4798_;
+                                let _e2121 = phi_4162_;
+                                let _e2123 = phi_4163_;
+                                let _e2125 = phi_4164_;
+                                let _e2127 = phi_4165_;
+                                let _e2129 = phi_4166_;
+                                phi_4797_ = _e2119;
+                                phi_4167_ = _e2121;
+                                phi_4168_ = _e2123;
+                                phi_4169_ = _e2125;
+                                phi_4170_ = _e2127;
+                                phi_4171_ = _e2129;
                             } else {
-                                phi_4681_ = _e801;
-                                phi_4051_ = type_47();
-                                phi_4052_ = type_62();
-                                phi_4053_ = u32();
-                                phi_4054_ = bool();
-                                phi_4055_ = u32();
+                                phi_4797_ = _e801;
+                                phi_4167_ = type_48();
+                                phi_4168_ = bool();
+                                phi_4169_ = u32();
+                                phi_4170_ = u32();
+                                phi_4171_ = type_62();
                             }
-                            let _e2131 = phi_4681_;
-                            let _e2133 = phi_4051_;
-                            let _e2135 = phi_4052_;
-                            let _e2137 = phi_4053_;
-                            let _e2139 = phi_4054_;
-                            let _e2141 = phi_4055_;
-                            phi_4680_ = _e2131;
-                            phi_1379_ = _e2133;
-                            phi_1382_ = _e2135;
-                            phi_1384_ = _e2137;
-                            phi_1386_ = _e2139;
-                            phi_1388_ = _e2141;
-                            phi_4056_ = _e815;
+                            let _e2131 = phi_4797_;
+                            let _e2133 = phi_4167_;
+                            let _e2135 = phi_4168_;
+                            let _e2137 = phi_4169_;
+                            let _e2139 = phi_4170_;
+                            let _e2141 = phi_4171_;
+                            phi_4796_ = _e2131;
+                            phi_1396_ = _e2133;
+                            phi_1399_ = _e2135;
+                            phi_1401_ = _e2137;
+                            phi_1403_ = _e2139;
+                            phi_1405_ = _e2141;
+                            phi_4172_ = _e815;
                         } else {
-                            phi_4680_ = _e801;
-                            phi_1379_ = type_47();
-                            phi_1382_ = type_62();
-                            phi_1384_ = u32();
-                            phi_1386_ = bool();
-                            phi_1388_ = u32();
-                            phi_4056_ = false;
+                            phi_4796_ = _e801;
+                            phi_1396_ = type_48();
+                            phi_1399_ = bool();
+                            phi_1401_ = u32();
+                            phi_1403_ = u32();
+                            phi_1405_ = type_62();
+                            phi_4172_ = false;
                         }
-                        let _e2143 = phi_4680_;
-                        let _e2145 = phi_1379_;
-                        let _e2147 = phi_1382_;
-                        let _e2149 = phi_1384_;
-                        let _e2151 = phi_1386_;
-                        let _e2153 = phi_1388_;
-                        let _e2155 = phi_4056_;
+                        let _e2143 = phi_4796_;
+                        let _e2145 = phi_1396_;
+                        let _e2147 = phi_1399_;
+                        let _e2149 = phi_1401_;
+                        let _e2151 = phi_1403_;
+                        let _e2153 = phi_1405_;
+                        let _e2155 = phi_4172_;
                         continue;
                         continuing {
-                            phi_4493_ = _e2143;
-                            phi_1378_ = _e2145;
-                            phi_1381_ = _e2147;
-                            phi_1383_ = _e2149;
-                            phi_1385_ = _e2151;
-                            phi_1387_ = _e2153;
-                            phi_4679_ = _e2143;
+                            phi_4609_ = _e2143;
+                            phi_1395_ = _e2145;
+                            phi_1398_ = _e2147;
+                            phi_1400_ = _e2149;
+                            phi_1402_ = _e2151;
+                            phi_1404_ = _e2153;
+                            phi_4795_ = _e2143;
                             break if !(_e2155);
                         }
                     }
-                    let _e2158 = phi_4679_;
+                    let _e2158 = phi_4795_;
                     if _e2158 {
                         break;
                     }
@@ -1690,110 +1690,110 @@ fn function_() {
                         let _e2169 = (bitcast<i32>((_e2165 >> bitcast<u32>(23i))) & 255i);
                         let _e2170 = (_e2169 + _e428);
                         if (_e2169 == 255i) {
-                            phi_4115_ = _e2160.member.member;
+                            phi_4231_ = _e2160.member.member;
                         } else {
                             if (_e2169 > 0i) {
                                 if (_e2170 > 0i) {
                                     let _e2174 = (_e2170 < 255i);
                                     if _e2174 {
-                                        phi_4094_ = bitcast<f32>((_e2165 + bitcast<u32>((_e428 << bitcast<u32>(23i)))));
+                                        phi_4210_ = bitcast<f32>((_e2165 + bitcast<u32>((_e428 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4094_ = f32();
+                                        phi_4210_ = f32();
                                     }
-                                    let _e2181 = phi_4094_;
-                                    phi_4096_ = _e2181;
-                                    phi_4097_ = select(true, false, _e2174);
+                                    let _e2181 = phi_4210_;
+                                    phi_4212_ = _e2181;
+                                    phi_4213_ = select(true, false, _e2174);
                                 } else {
-                                    phi_4096_ = f32();
-                                    phi_4097_ = true;
+                                    phi_4212_ = f32();
+                                    phi_4213_ = true;
                                 }
-                                let _e2184 = phi_4096_;
-                                let _e2186 = phi_4097_;
-                                phi_4098_ = _e2184;
-                                phi_4099_ = _e2186;
+                                let _e2184 = phi_4212_;
+                                let _e2186 = phi_4213_;
+                                phi_4214_ = _e2184;
+                                phi_4215_ = _e2186;
                             } else {
-                                phi_4098_ = f32();
-                                phi_4099_ = true;
+                                phi_4214_ = f32();
+                                phi_4215_ = true;
                             }
-                            let _e2188 = phi_4098_;
-                            let _e2190 = phi_4099_;
+                            let _e2188 = phi_4214_;
+                            let _e2190 = phi_4215_;
                             if _e2190 {
                                 let _e2191 = (_e2165 & 2147483648u);
                                 let _e2198 = ((_e2165 & 8388607u) | (select(0u, 1u, ((_e2165 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                 let _e2202 = (_e2198 == 0u);
                                 if _e2202 {
-                                    phi_4445_ = bitcast<f32>(_e2191);
+                                    phi_4561_ = bitcast<f32>(_e2191);
                                 } else {
                                     let _e2207 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2198)), 32u, _e2202) - 8u);
                                     let _e2210 = (_e2198 << bitcast<u32>((_e2207 & 31u)));
                                     let _e2212 = ((_e2170 + select(0i, 1i, (_e2169 == 0i))) - bitcast<i32>(_e2207));
                                     if (_e2212 >= 255i) {
-                                        phi_4435_ = bitcast<f32>((_e2191 | 2139095040u));
-                                        phi_4436_ = f32();
-                                        phi_4437_ = true;
+                                        phi_4551_ = bitcast<f32>((_e2191 | 2139095040u));
+                                        phi_4552_ = f32();
+                                        phi_4553_ = true;
                                     } else {
                                         let _e2214 = (_e2212 > 0i);
                                         if _e2214 {
-                                            phi_4429_ = bitcast<f32>(((_e2191 | (bitcast<u32>(_e2212) << bitcast<u32>(23i))) | (_e2210 & 8388607u)));
-                                            phi_4430_ = f32();
+                                            phi_4545_ = bitcast<f32>(((_e2191 | (bitcast<u32>(_e2212) << bitcast<u32>(23i))) | (_e2210 & 8388607u)));
+                                            phi_4546_ = f32();
                                         } else {
                                             if (_e2212 < -24i) {
-                                                phi_4395_ = 26u;
+                                                phi_4511_ = 26u;
                                             } else {
-                                                phi_4395_ = bitcast<u32>((1i - _e2212));
+                                                phi_4511_ = bitcast<u32>((1i - _e2212));
                                             }
-                                            let _e2219 = phi_4395_;
+                                            let _e2219 = phi_4511_;
                                             let _e2220 = (_e2219 & 31u);
                                             let _e2222 = (_e2210 >> bitcast<u32>(_e2220));
                                             let _e2226 = (_e2210 & ((1u << bitcast<u32>(_e2220)) - 1u));
                                             let _e2230 = (1u << bitcast<u32>(((_e2219 - 1u) & 31u)));
                                             if (_e2226 > _e2230) {
-                                                phi_4416_ = true;
+                                                phi_4532_ = true;
                                             } else {
                                                 if (_e2226 == _e2230) {
-                                                    phi_4413_ = ((_e2222 & 1u) == 1u);
+                                                    phi_4529_ = ((_e2222 & 1u) == 1u);
                                                 } else {
-                                                    phi_4413_ = false;
+                                                    phi_4529_ = false;
                                                 }
-                                                let _e2236 = phi_4413_;
-                                                phi_4416_ = _e2236;
+                                                let _e2236 = phi_4529_;
+                                                phi_4532_ = _e2236;
                                             }
-                                            let _e2238 = phi_4416_;
-                                            phi_4429_ = f32();
-                                            phi_4430_ = bitcast<f32>((_e2191 | (_e2222 + select(0u, 1u, _e2238))));
+                                            let _e2238 = phi_4532_;
+                                            phi_4545_ = f32();
+                                            phi_4546_ = bitcast<f32>((_e2191 | (_e2222 + select(0u, 1u, _e2238))));
                                         }
-                                        let _e2251 = phi_4429_;
-                                        let _e2253 = phi_4430_;
-                                        phi_4435_ = _e2251;
-                                        phi_4436_ = _e2253;
-                                        phi_4437_ = _e2214;
+                                        let _e2251 = phi_4545_;
+                                        let _e2253 = phi_4546_;
+                                        phi_4551_ = _e2251;
+                                        phi_4552_ = _e2253;
+                                        phi_4553_ = _e2214;
                                     }
-                                    let _e2257 = phi_4435_;
-                                    let _e2259 = phi_4436_;
-                                    let _e2261 = phi_4437_;
-                                    phi_4445_ = select(_e2259, _e2257, _e2261);
+                                    let _e2257 = phi_4551_;
+                                    let _e2259 = phi_4552_;
+                                    let _e2261 = phi_4553_;
+                                    phi_4561_ = select(_e2259, _e2257, _e2261);
                                 }
-                                let _e2265 = phi_4445_;
-                                phi_4114_ = _e2265;
+                                let _e2265 = phi_4561_;
+                                phi_4230_ = _e2265;
                             } else {
-                                phi_4114_ = _e2188;
+                                phi_4230_ = _e2188;
                             }
-                            let _e2267 = phi_4114_;
-                            phi_4115_ = _e2267;
+                            let _e2267 = phi_4230_;
+                            phi_4231_ = _e2267;
                         }
-                        let _e2269 = phi_4115_;
+                        let _e2269 = phi_4231_;
                         let _e2270 = bitcast<u32>(_e2269);
                         if ((_e2270 & 2147483647u) >= 2139095040u) {
-                            phi_4127_ = bitcast<f32>(((_e2270 & 2147483648u) | 2139095039u));
+                            phi_4243_ = bitcast<f32>(((_e2270 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4127_ = _e2269;
+                            phi_4243_ = _e2269;
                         }
-                        let _e2277 = phi_4127_;
-                        phi_4132_ = type_30(_e2277, _e2160.member.member_1, _e2160.member.member_2, _e2160.member.member_3);
+                        let _e2277 = phi_4243_;
+                        phi_4248_ = type_30(_e2277, _e2160.member.member_1, _e2160.member.member_2, _e2160.member.member_3);
                     } else {
-                        phi_4132_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4248_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2282 = phi_4132_;
+                    let _e2282 = phi_4248_;
                     if _e305 {
                     } else {
                         break;

@@ -57,7 +57,7 @@ struct type_39 {
     member_3: array<u32, 3>,
 }
 
-struct type_42 {
+struct type_43 {
     member: type_25,
     member_1: f32,
 }
@@ -118,210 +118,210 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_416_: u32;
-    var phi_460_: i32;
-    var phi_600_: type_39;
-    var phi_706_: i32;
-    var phi_707_: i32;
-    var phi_717_: bool;
-    var phi_727_: u32;
-    var phi_728_: u32;
-    var phi_730_: bool;
-    var phi_735_: u32;
-    var phi_767_: i32;
-    var phi_785_: f32;
-    var phi_791_: f32;
-    var phi_831_: f32;
-    var phi_837_: f32;
-    var phi_889_: f32;
-    var phi_900_: f32;
-    var phi_909_: f32;
-    var phi_915_: f32;
-    var phi_955_: f32;
-    var phi_961_: f32;
-    var phi_1013_: f32;
-    var phi_1024_: f32;
+    var phi_422_: u32;
+    var phi_466_: i32;
+    var phi_606_: type_39;
+    var phi_712_: i32;
+    var phi_713_: i32;
+    var phi_723_: bool;
+    var phi_733_: u32;
+    var phi_734_: u32;
+    var phi_736_: bool;
+    var phi_741_: u32;
+    var phi_774_: i32;
+    var phi_792_: f32;
+    var phi_798_: f32;
+    var phi_838_: f32;
+    var phi_844_: f32;
+    var phi_896_: f32;
+    var phi_908_: f32;
+    var phi_917_: f32;
+    var phi_923_: f32;
+    var phi_963_: f32;
+    var phi_969_: f32;
+    var phi_1021_: f32;
     var phi_1033_: f32;
-    var phi_1039_: f32;
-    var phi_1079_: f32;
-    var phi_1085_: f32;
-    var phi_1137_: f32;
-    var phi_1148_: f32;
-    var phi_1203_: i32;
-    var phi_1225_: u32;
-    var phi_1226_: u32;
-    var phi_1263_: i32;
-    var phi_1285_: u32;
-    var phi_1286_: u32;
-    var phi_1294_: f32;
-    var phi_1295_: f32;
-    var phi_5136_: bool;
-    var phi_1384_: type_42;
-    var phi_1387_: type_57;
-    var phi_1389_: u32;
-    var phi_1391_: bool;
-    var phi_1393_: u32;
+    var phi_1042_: f32;
+    var phi_1048_: f32;
+    var phi_1088_: f32;
+    var phi_1094_: f32;
+    var phi_1146_: f32;
+    var phi_1158_: f32;
+    var phi_1213_: i32;
+    var phi_1235_: u32;
+    var phi_1236_: u32;
+    var phi_1273_: i32;
+    var phi_1295_: u32;
+    var phi_1296_: u32;
+    var phi_1304_: f32;
+    var phi_1305_: f32;
+    var phi_5276_: bool;
+    var phi_1401_: type_43;
     var phi_1404_: bool;
-    var phi_1490_: type_57;
-    var phi_1491_: bool;
-    var phi_1492_: u32;
-    var phi_3942_: u32;
-    var phi_3948_: u32;
-    var phi_4202_: u32;
-    var phi_4203_: u32;
-    var phi_4213_: u32;
-    var phi_4215_: u32;
-    var phi_4216_: bool;
-    var phi_4236_: u32;
-    var phi_4237_: u32;
-    var phi_4241_: type_58;
-    var phi_4585_: type_57;
-    var phi_4662_: type_57;
-    var phi_4663_: type_57;
-    var phi_4664_: u32;
-    var phi_4666_: type_57;
-    var phi_4667_: u32;
-    var phi_4668_: bool;
-    var phi_4677_: type_57;
-    var phi_4682_: type_57;
-    var phi_4683_: bool;
-    var phi_1511_: type_42;
-    var phi_1514_: type_8;
-    var phi_1515_: type_8;
-    var phi_1537_: type_8;
-    var phi_1578_: u32;
-    var phi_1584_: u32;
-    var phi_1594_: u32;
-    var phi_1610_: u32;
-    var phi_1643_: u32;
-    var phi_1649_: u32;
-    var phi_2094_: u32;
-    var phi_2112_: u32;
-    var phi_2130_: u32;
+    var phi_1406_: u32;
+    var phi_1408_: u32;
+    var phi_1410_: type_57;
+    var phi_1421_: bool;
+    var phi_1507_: bool;
+    var phi_1508_: u32;
+    var phi_1509_: type_57;
+    var phi_4061_: u32;
+    var phi_4067_: u32;
+    var phi_4321_: u32;
+    var phi_4322_: u32;
+    var phi_4332_: u32;
+    var phi_4334_: u32;
+    var phi_4335_: bool;
+    var phi_4355_: u32;
+    var phi_4356_: u32;
+    var phi_4360_: type_58;
+    var phi_4722_: type_57;
+    var phi_4799_: type_57;
+    var phi_4800_: u32;
+    var phi_4801_: type_57;
+    var phi_4803_: u32;
+    var phi_4804_: type_57;
+    var phi_4805_: bool;
+    var phi_4814_: type_57;
+    var phi_4819_: bool;
+    var phi_4821_: type_57;
+    var phi_1528_: type_43;
+    var phi_1531_: type_8;
+    var phi_1532_: type_8;
+    var phi_1554_: type_8;
+    var phi_1595_: u32;
+    var phi_1601_: u32;
+    var phi_1611_: u32;
+    var phi_1627_: u32;
+    var phi_1660_: u32;
+    var phi_1666_: u32;
+    var phi_2132_: u32;
     var phi_2150_: u32;
     var phi_2168_: u32;
-    var phi_2186_: u32;
-    var phi_2206_: u32;
-    var phi_2224_: u32;
-    var phi_2242_: u32;
-    var phi_1811_: u32;
-    var phi_1826_: u32;
-    var phi_1836_: u32;
-    var phi_1857_: u32;
-    var phi_1878_: u32;
-    var phi_1905_: u32;
-    var phi_1920_: u32;
-    var phi_1930_: u32;
-    var phi_1951_: u32;
-    var phi_1972_: u32;
-    var phi_1999_: u32;
-    var phi_2014_: u32;
-    var phi_2024_: u32;
-    var phi_2045_: u32;
-    var phi_2066_: u32;
-    var phi_1673_: u32;
-    var phi_1719_: u32;
-    var phi_1765_: u32;
-    var phi_2248_: array<array<f32, 3>, 3>;
-    var phi_2365_: bool;
-    var phi_2394_: bool;
-    var phi_2795_: f32;
-    var phi_2796_: f32;
-    var phi_2797_: f32;
-    var phi_2798_: f32;
-    var phi_2799_: vec3<f32>;
-    var phi_2800_: vec3<f32>;
-    var phi_2801_: vec3<f32>;
-    var phi_2802_: vec3<f32>;
-    var phi_2833_: bool;
-    var phi_2842_: vec3<f32>;
-    var phi_3007_: f32;
-    var phi_3009_: f32;
-    var phi_3010_: bool;
-    var phi_3030_: f32;
-    var phi_3031_: f32;
-    var phi_3054_: type_25;
-    var phi_3056_: type_25;
-    var phi_3057_: bool;
-    var phi_3061_: type_25;
-    var phi_3062_: type_25;
-    var phi_3063_: type_25;
-    var phi_3064_: bool;
-    var phi_3068_: type_25;
-    var phi_3069_: bool;
-    var phi_3070_: type_25;
-    var phi_3071_: bool;
-    var phi_3072_: bool;
-    var phi_3073_: type_25;
-    var phi_3074_: bool;
-    var phi_3075_: bool;
-    var phi_3083_: type_25;
-    var phi_3084_: bool;
-    var phi_3088_: type_25;
-    var phi_3111_: u32;
-    var phi_3125_: i32;
-    var phi_3145_: vec3<f32>;
-    var phi_3146_: vec3<f32>;
-    var phi_3162_: vec3<f32>;
-    var phi_3163_: vec3<f32>;
-    var phi_3179_: vec3<f32>;
-    var phi_3180_: vec3<f32>;
-    var phi_3216_: vec3<f32>;
-    var phi_3398_: f32;
-    var phi_3416_: bool;
-    var phi_3417_: bool;
-    var phi_3436_: bool;
-    var phi_3437_: bool;
-    var phi_3443_: type_42;
-    var phi_3444_: type_42;
-    var phi_3445_: type_42;
-    var phi_1512_: type_42;
-    var phi_5130_: bool;
-    var phi_5373_: bool;
-    var phi_4685_: type_42;
-    var phi_4686_: type_57;
-    var phi_4687_: bool;
-    var phi_4688_: u32;
-    var phi_5372_: bool;
-    var phi_4689_: type_42;
-    var phi_4690_: type_57;
-    var phi_4691_: u32;
-    var phi_4692_: bool;
-    var phi_4693_: u32;
-    var phi_5371_: bool;
-    var phi_4694_: type_42;
-    var phi_4695_: type_57;
-    var phi_4696_: u32;
-    var phi_4697_: bool;
-    var phi_4698_: u32;
-    var phi_5370_: bool;
-    var phi_1385_: type_42;
-    var phi_1388_: type_57;
-    var phi_1390_: u32;
-    var phi_1392_: bool;
-    var phi_1394_: u32;
-    var phi_4699_: bool;
-    var phi_5369_: bool;
-    var local_10: type_42;
-    var phi_4737_: f32;
-    var phi_4739_: f32;
-    var phi_4740_: bool;
-    var phi_4741_: f32;
-    var phi_4742_: bool;
-    var phi_5038_: u32;
-    var phi_5056_: bool;
-    var phi_5059_: bool;
-    var phi_5072_: f32;
-    var phi_5073_: f32;
-    var phi_5078_: f32;
-    var phi_5079_: f32;
-    var phi_5080_: bool;
-    var phi_5088_: f32;
-    var phi_4757_: f32;
-    var phi_4758_: f32;
-    var phi_4770_: f32;
-    var phi_4775_: type_25;
-    var local_11: type_42;
+    var phi_2191_: u32;
+    var phi_2209_: u32;
+    var phi_2227_: u32;
+    var phi_2250_: u32;
+    var phi_2268_: u32;
+    var phi_2286_: u32;
+    var phi_1840_: u32;
+    var phi_1855_: u32;
+    var phi_1865_: u32;
+    var phi_1886_: u32;
+    var phi_1907_: u32;
+    var phi_1937_: u32;
+    var phi_1952_: u32;
+    var phi_1962_: u32;
+    var phi_1983_: u32;
+    var phi_2004_: u32;
+    var phi_2034_: u32;
+    var phi_2049_: u32;
+    var phi_2059_: u32;
+    var phi_2080_: u32;
+    var phi_2101_: u32;
+    var phi_1693_: u32;
+    var phi_1742_: u32;
+    var phi_1791_: u32;
+    var phi_2292_: array<array<f32, 3>, 3>;
+    var phi_2444_: bool;
+    var phi_2473_: bool;
+    var phi_2892_: f32;
+    var phi_2893_: f32;
+    var phi_2894_: f32;
+    var phi_2895_: f32;
+    var phi_2896_: vec3<f32>;
+    var phi_2897_: vec3<f32>;
+    var phi_2898_: vec3<f32>;
+    var phi_2899_: vec3<f32>;
+    var phi_2936_: bool;
+    var phi_2945_: vec3<f32>;
+    var phi_3110_: f32;
+    var phi_3112_: f32;
+    var phi_3113_: bool;
+    var phi_3133_: f32;
+    var phi_3134_: f32;
+    var phi_3157_: type_25;
+    var phi_3159_: type_25;
+    var phi_3160_: bool;
+    var phi_3164_: type_25;
+    var phi_3165_: type_25;
+    var phi_3166_: type_25;
+    var phi_3167_: bool;
+    var phi_3171_: type_25;
+    var phi_3172_: bool;
+    var phi_3173_: type_25;
+    var phi_3174_: bool;
+    var phi_3175_: bool;
+    var phi_3176_: type_25;
+    var phi_3177_: bool;
+    var phi_3178_: bool;
+    var phi_3186_: type_25;
+    var phi_3187_: bool;
+    var phi_3191_: type_25;
+    var phi_3214_: u32;
+    var phi_3228_: i32;
+    var phi_3250_: vec3<f32>;
+    var phi_3251_: vec3<f32>;
+    var phi_3269_: vec3<f32>;
+    var phi_3270_: vec3<f32>;
+    var phi_3288_: vec3<f32>;
+    var phi_3289_: vec3<f32>;
+    var phi_3325_: vec3<f32>;
+    var phi_3507_: f32;
+    var phi_3525_: bool;
+    var phi_3526_: bool;
+    var phi_3545_: bool;
+    var phi_3546_: bool;
+    var phi_3552_: type_43;
+    var phi_3553_: type_43;
+    var phi_3554_: type_43;
+    var phi_1529_: type_43;
+    var phi_5270_: bool;
+    var phi_5513_: bool;
+    var phi_4825_: type_43;
+    var phi_4826_: bool;
+    var phi_4827_: u32;
+    var phi_4828_: type_57;
+    var phi_5512_: bool;
+    var phi_4829_: type_43;
+    var phi_4830_: bool;
+    var phi_4831_: u32;
+    var phi_4832_: u32;
+    var phi_4833_: type_57;
+    var phi_5511_: bool;
+    var phi_4834_: type_43;
+    var phi_4835_: bool;
+    var phi_4836_: u32;
+    var phi_4837_: u32;
+    var phi_4838_: type_57;
+    var phi_5510_: bool;
+    var phi_1402_: type_43;
+    var phi_1405_: bool;
+    var phi_1407_: u32;
+    var phi_1409_: u32;
+    var phi_1411_: type_57;
+    var phi_4839_: bool;
+    var phi_5509_: bool;
+    var local_10: type_43;
+    var phi_4877_: f32;
+    var phi_4879_: f32;
+    var phi_4880_: bool;
+    var phi_4881_: f32;
+    var phi_4882_: bool;
+    var phi_5178_: u32;
+    var phi_5196_: bool;
+    var phi_5199_: bool;
+    var phi_5212_: f32;
+    var phi_5213_: f32;
+    var phi_5218_: f32;
+    var phi_5219_: f32;
+    var phi_5220_: bool;
+    var phi_5228_: f32;
+    var phi_4897_: f32;
+    var phi_4898_: f32;
+    var phi_4910_: f32;
+    var phi_4915_: type_25;
+    var local_11: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -347,11 +347,11 @@ fn function_() {
                     break;
                 }
                 let _e175 = global_7.member[_e156].member_2;
-                phi_416_ = _e175;
+                phi_422_ = _e175;
             } else {
-                phi_416_ = 4294967295u;
+                phi_422_ = 4294967295u;
             }
-            let _e177 = phi_416_;
+            let _e177 = phi_422_;
             let _e180 = global_1.member[0u];
             let _e184 = global_2.member[0u][0u];
             let _e188 = global_2.member[0u][1u];
@@ -368,15 +368,15 @@ fn function_() {
             let _e218 = array<u32, 3>(_e204, _e208, _e212);
             let _e220 = bitcast<i32>(_e180);
             if (_e220 < -126i) {
-                phi_460_ = -126i;
+                phi_466_ = -126i;
             } else {
-                phi_460_ = select(_e220, 127i, (_e220 > 127i));
+                phi_466_ = select(_e220, 127i, (_e220 > 127i));
             }
-            let _e225 = phi_460_;
+            let _e225 = phi_466_;
             let _e230 = bitcast<f32>((bitcast<u32>((_e225 + 127i)) << bitcast<u32>(23i)));
             let _e236 = bitcast<f32>((bitcast<u32>(((_e220 - _e225) + 127i)) << bitcast<u32>(23i)));
             if (_e196 == 0u) {
-                phi_600_ = type_39(array<f32, 3>(_e213, _e214, _e215), _e196, _e217, _e218);
+                phi_606_ = type_39(array<f32, 3>(_e213, _e214, _e215), _e196, _e217, _e218);
             } else {
                 let _e238 = bitcast<u32>(_e213);
                 let _e240 = ((_e238 & 2139095040u) != 0u);
@@ -386,9 +386,9 @@ fn function_() {
                 let _e274 = ((_e272 & 2139095040u) != 0u);
                 let _e290 = bitcast<u32>(_e217);
                 let _e292 = ((_e290 & 2139095040u) != 0u);
-                phi_600_ = type_39(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e238 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e238 & 2147483648u))), _e213, _e240) * _e230) * select(0.00000011920929f, 1f, _e240)) * _e236), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e255 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e255 & 2147483648u))), _e214, _e257) * _e230) * select(0.00000011920929f, 1f, _e257)) * _e236), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e272 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e272 & 2147483648u))), _e215, _e274) * _e230) * select(0.00000011920929f, 1f, _e274)) * _e236)), _e196, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e290 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e290 & 2147483648u))), _e217, _e292) * _e230) * select(0.00000011920929f, 1f, _e292)) * _e236), _e218);
+                phi_606_ = type_39(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e238 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e238 & 2147483648u))), _e213, _e240) * _e230) * select(0.00000011920929f, 1f, _e240)) * _e236), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e255 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e255 & 2147483648u))), _e214, _e257) * _e230) * select(0.00000011920929f, 1f, _e257)) * _e236), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e272 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e272 & 2147483648u))), _e215, _e274) * _e230) * select(0.00000011920929f, 1f, _e274)) * _e236)), _e196, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e290 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e290 & 2147483648u))), _e217, _e292) * _e230) * select(0.00000011920929f, 1f, _e292)) * _e236), _e218);
             }
-            let _e309 = phi_600_;
+            let _e309 = phi_606_;
             if _e171 {
                 let _e310 = (_e156 < arrayLength((&global_8.member)));
                 if _e310 {
@@ -423,203 +423,203 @@ fn function_() {
                     if _e393 {
                         let _e396 = (bitcast<u32>(bitcast<f32>(_e366)) & 2147483647u);
                         if (_e396 >= 8388608u) {
-                            phi_706_ = (bitcast<i32>((_e396 >> bitcast<u32>(23i))) - 127i);
+                            phi_712_ = (bitcast<i32>((_e396 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_706_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e396)), 32u, (_e396 == 0u))));
+                            phi_712_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e396)), 32u, (_e396 == 0u))));
                         }
-                        let _e410 = phi_706_;
-                        phi_707_ = _e410;
+                        let _e410 = phi_712_;
+                        phi_713_ = _e410;
                     } else {
-                        phi_707_ = 0i;
+                        phi_713_ = 0i;
                     }
-                    let _e412 = phi_707_;
+                    let _e412 = phi_713_;
                     let _e413 = (_e322 == _e366);
                     if _e413 {
-                        phi_717_ = true;
+                        phi_723_ = true;
                     } else {
-                        phi_717_ = (_e330 == _e366);
+                        phi_723_ = (_e330 == _e366);
                     }
-                    let _e416 = phi_717_;
+                    let _e416 = phi_723_;
                     let _e417 = select(1u, 0u, _e413);
                     if _e416 {
                         let _e418 = (_e417 + 1u);
-                        phi_727_ = _e418;
-                        phi_728_ = _e418;
-                        phi_730_ = select(true, false, (_e418 == 2u));
+                        phi_733_ = _e418;
+                        phi_734_ = _e418;
+                        phi_736_ = select(true, false, (_e418 == 2u));
                     } else {
-                        phi_727_ = u32();
-                        phi_728_ = 0u;
-                        phi_730_ = true;
+                        phi_733_ = u32();
+                        phi_734_ = 0u;
+                        phi_736_ = true;
                     }
-                    let _e422 = phi_727_;
-                    let _e424 = phi_728_;
-                    let _e426 = phi_730_;
+                    let _e422 = phi_733_;
+                    let _e424 = phi_734_;
+                    let _e426 = phi_736_;
                     if _e426 {
-                        phi_735_ = (_e424 + 1u);
+                        phi_741_ = (_e424 + 1u);
                     } else {
-                        phi_735_ = 0u;
+                        phi_741_ = 0u;
                     }
-                    let _e430 = phi_735_;
+                    let _e430 = phi_741_;
                     let _e431 = select(_e422, _e424, _e426);
                     let _e432 = select(_e417, select(2u, _e417, _e416), _e426);
                     let _e433 = -(_e412);
                     if (_e433 < -126i) {
-                        phi_767_ = -126i;
+                        phi_774_ = -126i;
                     } else {
-                        phi_767_ = select(_e433, 127i, (_e433 > 127i));
+                        phi_774_ = select(_e433, 127i, (_e433 > 127i));
                     }
-                    let _e438 = phi_767_;
+                    let _e438 = phi_774_;
                     let _e443 = bitcast<f32>((bitcast<u32>((_e438 + 127i)) << bitcast<u32>(23i)));
                     let _e449 = bitcast<f32>((bitcast<u32>(((_e433 - _e438) + 127i)) << bitcast<u32>(23i)));
                     let _e454 = global_7.member[_e156].member.member;
                     let _e455 = (_e431 == 0u);
                     if _e455 {
-                        phi_785_ = _e454[0];
+                        phi_792_ = _e454[0];
                     } else {
-                        phi_785_ = _e454[1];
+                        phi_792_ = _e454[1];
                     }
-                    let _e459 = phi_785_;
+                    let _e459 = phi_792_;
                     let _e460 = (_e431 == 2u);
                     if _e460 {
-                        phi_791_ = _e454[2];
+                        phi_798_ = _e454[2];
                     } else {
-                        phi_791_ = _e459;
+                        phi_798_ = _e459;
                     }
-                    let _e463 = phi_791_;
+                    let _e463 = phi_798_;
                     let _e464 = bitcast<u32>(_e463);
                     let _e466 = ((_e464 & 2139095040u) != 0u);
                     let _e478 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e464 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e464 & 2147483648u))), _e463, _e466) * select(0.00000011920929f, 1f, _e466));
                     let _e479 = global_7.member[_e156].member.member_2;
                     if _e455 {
-                        phi_831_ = _e479[0];
+                        phi_838_ = _e479[0];
                     } else {
-                        phi_831_ = _e479[1];
+                        phi_838_ = _e479[1];
                     }
-                    let _e483 = phi_831_;
+                    let _e483 = phi_838_;
                     if _e460 {
-                        phi_837_ = _e479[2];
+                        phi_844_ = _e479[2];
                     } else {
-                        phi_837_ = _e483;
+                        phi_844_ = _e483;
                     }
-                    let _e486 = phi_837_;
+                    let _e486 = phi_844_;
                     let _e487 = bitcast<u32>(_e486);
                     let _e489 = ((_e487 & 2139095040u) != 0u);
                     let _e503 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e487 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e487 & 2147483648u))), _e486, _e489) * _e443) * select(0.00000011920929f, 1f, _e489)) * _e449);
                     let _e507 = (bitcast<f32>((bitcast<u32>(_e503) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e507 {
                         let _e511 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) * 0.00000011920929f);
-                        phi_889_ = select(0.00000000000011368684f, _e511, (_e511 > 0.00000000000011368684f));
+                        phi_896_ = select(0.00000000000011368684f, _e511, (_e511 > 0.00000000000011368684f));
                     } else {
-                        phi_889_ = 0f;
+                        phi_896_ = 0f;
                     }
-                    let _e515 = phi_889_;
+                    let _e515 = phi_896_;
                     let _e516 = (_e478 + _e515);
                     let _e517 = (_e478 - _e515);
                     let _e518 = select(_e503, 0f, _e507);
                     if _e507 {
-                        phi_900_ = 38685626000000000000000000f;
+                        phi_908_ = 38685626000000000000000000f;
                     } else {
-                        phi_900_ = (1f / _e503);
+                        phi_908_ = (1f / _e503);
                     }
-                    let _e521 = phi_900_;
+                    let _e521 = phi_908_;
                     let _e522 = (_e430 == 0u);
                     if _e522 {
-                        phi_909_ = _e454[0];
+                        phi_917_ = _e454[0];
                     } else {
-                        phi_909_ = _e454[1];
+                        phi_917_ = _e454[1];
                     }
-                    let _e526 = phi_909_;
+                    let _e526 = phi_917_;
                     let _e527 = (_e430 == 2u);
                     if _e527 {
-                        phi_915_ = _e454[2];
+                        phi_923_ = _e454[2];
                     } else {
-                        phi_915_ = _e526;
+                        phi_923_ = _e526;
                     }
-                    let _e530 = phi_915_;
+                    let _e530 = phi_923_;
                     let _e531 = bitcast<u32>(_e530);
                     let _e533 = ((_e531 & 2139095040u) != 0u);
                     let _e545 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e531 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e531 & 2147483648u))), _e530, _e533) * select(0.00000011920929f, 1f, _e533));
                     if _e522 {
-                        phi_955_ = _e479[0];
+                        phi_963_ = _e479[0];
                     } else {
-                        phi_955_ = _e479[1];
+                        phi_963_ = _e479[1];
                     }
-                    let _e549 = phi_955_;
+                    let _e549 = phi_963_;
                     if _e527 {
-                        phi_961_ = _e479[2];
+                        phi_969_ = _e479[2];
                     } else {
-                        phi_961_ = _e549;
+                        phi_969_ = _e549;
                     }
-                    let _e552 = phi_961_;
+                    let _e552 = phi_969_;
                     let _e553 = bitcast<u32>(_e552);
                     let _e555 = ((_e553 & 2139095040u) != 0u);
                     let _e569 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e553 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e553 & 2147483648u))), _e552, _e555) * _e443) * select(0.00000011920929f, 1f, _e555)) * _e449);
                     let _e573 = (bitcast<f32>((bitcast<u32>(_e569) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e573 {
                         let _e577 = (bitcast<f32>((bitcast<u32>(_e545) & 2147483647u)) * 0.00000011920929f);
-                        phi_1013_ = select(0.00000000000011368684f, _e577, (_e577 > 0.00000000000011368684f));
+                        phi_1021_ = select(0.00000000000011368684f, _e577, (_e577 > 0.00000000000011368684f));
                     } else {
-                        phi_1013_ = 0f;
+                        phi_1021_ = 0f;
                     }
-                    let _e581 = phi_1013_;
+                    let _e581 = phi_1021_;
                     let _e582 = (_e545 + _e581);
                     let _e583 = (_e545 - _e581);
                     let _e584 = select(_e569, 0f, _e573);
                     if _e573 {
-                        phi_1024_ = 38685626000000000000000000f;
+                        phi_1033_ = 38685626000000000000000000f;
                     } else {
-                        phi_1024_ = (1f / _e569);
+                        phi_1033_ = (1f / _e569);
                     }
-                    let _e587 = phi_1024_;
+                    let _e587 = phi_1033_;
                     let _e588 = (_e432 == 0u);
                     if _e588 {
-                        phi_1033_ = _e454[0];
+                        phi_1042_ = _e454[0];
                     } else {
-                        phi_1033_ = _e454[1];
+                        phi_1042_ = _e454[1];
                     }
-                    let _e592 = phi_1033_;
+                    let _e592 = phi_1042_;
                     let _e593 = (_e432 == 2u);
                     if _e593 {
-                        phi_1039_ = _e454[2];
+                        phi_1048_ = _e454[2];
                     } else {
-                        phi_1039_ = _e592;
+                        phi_1048_ = _e592;
                     }
-                    let _e596 = phi_1039_;
+                    let _e596 = phi_1048_;
                     let _e597 = bitcast<u32>(_e596);
                     let _e599 = ((_e597 & 2139095040u) != 0u);
                     let _e611 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e597 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e597 & 2147483648u))), _e596, _e599) * select(0.00000011920929f, 1f, _e599));
                     if _e588 {
-                        phi_1079_ = _e479[0];
+                        phi_1088_ = _e479[0];
                     } else {
-                        phi_1079_ = _e479[1];
+                        phi_1088_ = _e479[1];
                     }
-                    let _e615 = phi_1079_;
+                    let _e615 = phi_1088_;
                     if _e593 {
-                        phi_1085_ = _e479[2];
+                        phi_1094_ = _e479[2];
                     } else {
-                        phi_1085_ = _e615;
+                        phi_1094_ = _e615;
                     }
-                    let _e618 = phi_1085_;
+                    let _e618 = phi_1094_;
                     let _e619 = bitcast<u32>(_e618);
                     let _e621 = ((_e619 & 2139095040u) != 0u);
                     let _e635 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e619 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e619 & 2147483648u))), _e618, _e621) * _e443) * select(0.00000011920929f, 1f, _e621)) * _e449);
                     let _e639 = (bitcast<f32>((bitcast<u32>(_e635) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e639 {
                         let _e643 = (bitcast<f32>((bitcast<u32>(_e611) & 2147483647u)) * 0.00000011920929f);
-                        phi_1137_ = select(0.00000000000011368684f, _e643, (_e643 > 0.00000000000011368684f));
+                        phi_1146_ = select(0.00000000000011368684f, _e643, (_e643 > 0.00000000000011368684f));
                     } else {
-                        phi_1137_ = 0f;
+                        phi_1146_ = 0f;
                     }
-                    let _e647 = phi_1137_;
+                    let _e647 = phi_1146_;
                     let _e648 = (_e611 + _e647);
                     let _e649 = (_e611 - _e647);
                     let _e650 = select(_e635, 0f, _e639);
                     if _e639 {
-                        phi_1148_ = 38685626000000000000000000f;
+                        phi_1158_ = 38685626000000000000000000f;
                     } else {
-                        phi_1148_ = (1f / _e635);
+                        phi_1158_ = (1f / _e635);
                     }
-                    let _e653 = phi_1148_;
+                    let _e653 = phi_1158_;
                     let _e656 = bitcast<f32>((bitcast<u32>(_e478) & 2147483647u));
                     let _e659 = bitcast<f32>((bitcast<u32>(_e545) & 2147483647u));
                     let _e661 = select(_e659, _e656, (_e656 > _e659));
@@ -630,55 +630,55 @@ fn function_() {
                         let _e683 = (_e676 == 0u);
                         let _e686 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e676)), 32u, _e683)) - 8i);
                         if (_e679 == 255i) {
-                            phi_1203_ = 255i;
+                            phi_1213_ = 255i;
                         } else {
-                            phi_1203_ = (((_e679 + select(0i, 1i, (_e679 == 0i))) - _e686) + _e412);
+                            phi_1213_ = (((_e679 + select(0i, 1i, (_e679 == 0i))) - _e686) + _e412);
                         }
-                        let _e694 = phi_1203_;
+                        let _e694 = phi_1213_;
                         let _e704 = (_e694 <= 0i);
                         if _e704 {
-                            phi_1226_ = u32();
+                            phi_1236_ = u32();
                         } else {
                             if _e683 {
-                                phi_1225_ = u32();
+                                phi_1235_ = u32();
                             } else {
-                                phi_1225_ = select(((bitcast<u32>(_e694) << bitcast<u32>(23i)) | ((_e676 << bitcast<u32>(((_e686 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e694 >= 255i));
+                                phi_1235_ = select(((bitcast<u32>(_e694) << bitcast<u32>(23i)) | ((_e676 << bitcast<u32>(((_e686 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e694 >= 255i));
                             }
-                            let _e708 = phi_1225_;
-                            phi_1226_ = _e708;
+                            let _e708 = phi_1235_;
+                            phi_1236_ = _e708;
                         }
-                        let _e710 = phi_1226_;
+                        let _e710 = phi_1236_;
                         let _e722 = ((_e389 & 8388607u) | (select(0u, 1u, ((_e389 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e725 = bitcast<i32>((_e389 >> bitcast<u32>(23i)));
                         let _e729 = (_e722 == 0u);
                         let _e732 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e722)), 32u, _e729)) - 8i);
                         if (_e725 == 255i) {
-                            phi_1263_ = 255i;
+                            phi_1273_ = 255i;
                         } else {
-                            phi_1263_ = (((_e725 + select(0i, 1i, (_e725 == 0i))) - _e732) + _e412);
+                            phi_1273_ = (((_e725 + select(0i, 1i, (_e725 == 0i))) - _e732) + _e412);
                         }
-                        let _e740 = phi_1263_;
+                        let _e740 = phi_1273_;
                         let _e750 = (_e740 <= 0i);
                         if _e750 {
-                            phi_1286_ = u32();
+                            phi_1296_ = u32();
                         } else {
                             if _e729 {
-                                phi_1285_ = u32();
+                                phi_1295_ = u32();
                             } else {
-                                phi_1285_ = select(((bitcast<u32>(_e740) << bitcast<u32>(23i)) | ((_e722 << bitcast<u32>(((_e732 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e740 >= 255i));
+                                phi_1295_ = select(((bitcast<u32>(_e740) << bitcast<u32>(23i)) | ((_e722 << bitcast<u32>(((_e732 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e740 >= 255i));
                             }
-                            let _e754 = phi_1285_;
-                            phi_1286_ = _e754;
+                            let _e754 = phi_1295_;
+                            phi_1296_ = _e754;
                         }
-                        let _e756 = phi_1286_;
-                        phi_1294_ = bitcast<f32>(((_e388 & 2147483648u) | select(_e756, 0u, select(_e729, true, _e750))));
-                        phi_1295_ = bitcast<f32>(((_e378 & 2147483648u) | select(_e710, 0u, select(_e683, true, _e704))));
+                        let _e756 = phi_1296_;
+                        phi_1304_ = bitcast<f32>(((_e388 & 2147483648u) | select(_e756, 0u, select(_e729, true, _e750))));
+                        phi_1305_ = bitcast<f32>(((_e378 & 2147483648u) | select(_e710, 0u, select(_e683, true, _e704))));
                     } else {
-                        phi_1294_ = 0f;
-                        phi_1295_ = 1f;
+                        phi_1304_ = 0f;
+                        phi_1305_ = 1f;
                     }
-                    let _e762 = phi_1294_;
-                    let _e764 = phi_1295_;
+                    let _e762 = phi_1304_;
+                    let _e764 = phi_1305_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -723,201 +723,201 @@ fn function_() {
                         break;
                     }
                     let _e796 = local[_e780];
-                    phi_5136_ = false;
-                    phi_1384_ = type_42(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e762);
-                    phi_1387_ = type_57(type_37(vec4<f32>((f32(_e771) * _e168), (f32(_e777) * _e168), (f32(_e783) * _e168), 0f), vec4<f32>((f32(_e788) * _e168), (f32(_e792) * _e168), (f32(_e796) * _e168), 0f)), select(0u, 2147483648u, (_e109 == 0u)));
-                    phi_1389_ = ((3u * _e109) + 1u);
-                    phi_1391_ = (_e764 <= _e762);
-                    phi_1393_ = 0u;
+                    phi_5276_ = false;
+                    phi_1401_ = type_43(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e762);
+                    phi_1404_ = (_e764 <= _e762);
+                    phi_1406_ = ((3u * _e109) + 1u);
+                    phi_1408_ = 0u;
+                    phi_1410_ = type_57(type_37(vec4<f32>((f32(_e771) * _e168), (f32(_e777) * _e168), (f32(_e783) * _e168), 0f), vec4<f32>((f32(_e788) * _e168), (f32(_e792) * _e168), (f32(_e796) * _e168), 0f)), select(0u, 2147483648u, (_e109 == 0u)));
                     loop {
-                        let _e806 = phi_5136_;
-                        let _e808 = phi_1384_;
-                        let _e810 = phi_1387_;
-                        let _e812 = phi_1389_;
-                        let _e814 = phi_1391_;
-                        let _e816 = phi_1393_;
+                        let _e806 = phi_5276_;
+                        let _e808 = phi_1401_;
+                        let _e810 = phi_1404_;
+                        let _e812 = phi_1406_;
+                        let _e814 = phi_1408_;
+                        let _e816 = phi_1410_;
                         local_10 = _e808;
-                        if _e814 {
-                            phi_1404_ = true;
+                        if _e810 {
+                            phi_1421_ = true;
                         } else {
-                            phi_1404_ = (_e816 > 0u);
+                            phi_1421_ = (_e814 > 0u);
                         }
-                        let _e819 = phi_1404_;
+                        let _e819 = phi_1421_;
                         if _e819 {
                             let _e820 = (_e812 > 0u);
                             if _e820 {
-                                if _e814 {
-                                    phi_1490_ = _e810;
-                                    phi_1491_ = _e814;
-                                    phi_1492_ = _e816;
+                                if _e810 {
+                                    phi_1507_ = _e810;
+                                    phi_1508_ = _e814;
+                                    phi_1509_ = _e816;
                                 } else {
-                                    let _e821 = (_e816 - 1u);
+                                    let _e821 = (_e814 - 1u);
                                     let _e822 = (_e821 % 128u);
                                     let _e823 = (_e822 < 128u);
                                     if _e823 {
                                     } else {
-                                        phi_5369_ = true;
+                                        phi_5509_ = true;
                                         break;
                                     }
                                     let _e825 = local_7[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5369_ = true;
+                                        phi_5509_ = true;
                                         break;
                                     }
                                     let _e827 = local_6[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5369_ = true;
+                                        phi_5509_ = true;
                                         break;
                                     }
                                     let _e829 = local_5[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5369_ = true;
+                                        phi_5509_ = true;
                                         break;
                                     }
                                     let _e831 = local_4[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5369_ = true;
+                                        phi_5509_ = true;
                                         break;
                                     }
                                     let _e833 = local_3[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5369_ = true;
+                                        phi_5509_ = true;
                                         break;
                                     }
                                     let _e835 = local_2[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5369_ = true;
+                                        phi_5509_ = true;
                                         break;
                                     }
                                     let _e840 = local_8[_e822];
                                     if _e823 {
                                     } else {
-                                        phi_5369_ = true;
+                                        phi_5509_ = true;
                                         break;
                                     }
                                     let _e843 = local_9[_e822];
-                                    phi_1490_ = type_57(type_37(vec4<f32>(_e825, _e827, _e829, 0f), vec4<f32>(_e831, _e833, _e835, 0f)), _e840);
-                                    phi_1491_ = (_e843 <= _e808.member_1);
-                                    phi_1492_ = _e821;
+                                    phi_1507_ = (_e843 <= _e808.member_1);
+                                    phi_1508_ = _e821;
+                                    phi_1509_ = type_57(type_37(vec4<f32>(_e825, _e827, _e829, 0f), vec4<f32>(_e831, _e833, _e835, 0f)), _e840);
                                 }
-                                let _e847 = phi_1490_;
-                                let _e849 = phi_1491_;
-                                let _e851 = phi_1492_;
-                                if _e849 {
-                                    let _e856 = (_e847.member_1 & 268435455u);
-                                    if ((_e847.member_1 & 2147483648u) != 0u) {
-                                        phi_1511_ = _e808;
-                                        phi_1514_ = type_8(0u, ((_e847.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e847 = phi_1507_;
+                                let _e849 = phi_1508_;
+                                let _e851 = phi_1509_;
+                                if _e847 {
+                                    let _e856 = (_e851.member_1 & 268435455u);
+                                    if ((_e851.member_1 & 2147483648u) != 0u) {
+                                        phi_1528_ = _e808;
+                                        phi_1531_ = type_8(0u, ((_e851.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1322 = phi_1511_;
-                                            let _e1324 = phi_1514_;
+                                            let _e1322 = phi_1528_;
+                                            let _e1324 = phi_1531_;
                                             local_11 = _e1322;
                                             if (_e1324.member < _e1324.member_1) {
-                                                phi_1515_ = type_8((_e1324.member + 1u), _e1324.member_1);
-                                                phi_1537_ = type_8(1u, _e1324.member);
+                                                phi_1532_ = type_8((_e1324.member + 1u), _e1324.member_1);
+                                                phi_1554_ = type_8(1u, _e1324.member);
                                             } else {
-                                                phi_1515_ = _e1324;
-                                                phi_1537_ = type_8(0u, type_8().member_1);
+                                                phi_1532_ = _e1324;
+                                                phi_1554_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1337 = phi_1515_;
-                                            let _e1339 = phi_1537_;
+                                            let _e1337 = phi_1532_;
+                                            let _e1339 = phi_1554_;
                                             let _e1343 = (bitcast<i32>(_e1339.member) != 0i);
                                             if _e1343 {
-                                                let _e1348 = (_e847.member.member_1.x - _e847.member.member.x);
-                                                let _e1351 = (_e847.member.member_1.y - _e847.member.member.y);
-                                                let _e1354 = (_e847.member.member_1.z - _e847.member.member.z);
+                                                let _e1348 = (_e851.member.member_1.x - _e851.member.member.x);
+                                                let _e1351 = (_e851.member.member_1.y - _e851.member.member.y);
+                                                let _e1354 = (_e851.member.member_1.z - _e851.member.member.z);
                                                 let _e1356 = select(_e1351, _e1348, (_e1348 > _e1351));
                                                 let _e1358 = select(_e1354, _e1356, (_e1356 > _e1354));
                                                 let _e1360 = (_e1358 < (1024f * _e168));
                                                 if _e1360 {
-                                                    phi_1578_ = 0u;
+                                                    phi_1595_ = 0u;
                                                 } else {
-                                                    phi_1578_ = select(2u, 1u, (_e1358 < (2097152f * _e168)));
+                                                    phi_1595_ = select(2u, 1u, (_e1358 < (2097152f * _e168)));
                                                 }
-                                                let _e1365 = phi_1578_;
+                                                let _e1365 = phi_1595_;
                                                 switch bitcast<i32>(_e1365) {
                                                     case 0: {
-                                                        phi_1584_ = 1u;
+                                                        phi_1601_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1584_ = 2u;
+                                                        phi_1601_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1584_ = 3u;
+                                                        phi_1601_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1584_ = u32();
+                                                        phi_1601_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1368 = phi_1584_;
+                                                let _e1368 = phi_1601_;
                                                 switch bitcast<i32>(_e1365) {
                                                     case 0: {
-                                                        phi_1594_ = 1u;
+                                                        phi_1611_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1594_ = 2u;
+                                                        phi_1611_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1594_ = 3u;
+                                                        phi_1611_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1594_ = u32();
+                                                        phi_1611_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1375 = phi_1594_;
+                                                let _e1375 = phi_1611_;
                                                 let _e1377 = ((_e856 + (_e1339.member_1 * ((3u * _e1368) + 1u))) + (3u * _e1375));
                                                 let _e1378 = (_e1377 < _e112);
                                                 if _e1378 {
                                                     if _e1378 {
                                                     } else {
-                                                        phi_5130_ = true;
+                                                        phi_5270_ = true;
                                                         break;
                                                     }
                                                     let _e1380 = global_10.member[_e1377];
-                                                    phi_1610_ = _e1380;
+                                                    phi_1627_ = _e1380;
                                                 } else {
-                                                    phi_1610_ = 4294967295u;
+                                                    phi_1627_ = 4294967295u;
                                                 }
-                                                let _e1382 = phi_1610_;
+                                                let _e1382 = phi_1627_;
                                                 if _e1360 {
-                                                    phi_1643_ = 0u;
+                                                    phi_1660_ = 0u;
                                                 } else {
-                                                    phi_1643_ = select(2u, 1u, (_e1358 < (2097152f * _e168)));
+                                                    phi_1660_ = select(2u, 1u, (_e1358 < (2097152f * _e168)));
                                                 }
-                                                let _e1387 = phi_1643_;
+                                                let _e1387 = phi_1660_;
                                                 switch bitcast<i32>(_e1387) {
                                                     case 0: {
-                                                        phi_1649_ = 1u;
+                                                        phi_1666_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1649_ = 2u;
+                                                        phi_1666_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1649_ = 3u;
+                                                        phi_1666_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1649_ = u32();
+                                                        phi_1666_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1390 = phi_1649_;
+                                                let _e1390 = phi_1666_;
                                                 let _e1394 = (_e856 + (_e1339.member_1 * ((3u * _e1390) + 1u)));
                                                 switch bitcast<i32>(_e1387) {
                                                     case 0: {
@@ -925,15 +925,15 @@ fn function_() {
                                                         if _e1669 {
                                                             if _e1669 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1671 = global_10.member[_e1394];
-                                                            phi_1673_ = _e1671;
+                                                            phi_1693_ = _e1671;
                                                         } else {
-                                                            phi_1673_ = 0u;
+                                                            phi_1693_ = 0u;
                                                         }
-                                                        let _e1673 = phi_1673_;
+                                                        let _e1673 = phi_1693_;
                                                         let _e1675 = ((10u * _e431) & 31u);
                                                         let _e1685 = ((10u * _e430) & 31u);
                                                         let _e1695 = ((10u * _e432) & 31u);
@@ -942,30 +942,30 @@ fn function_() {
                                                         if _e1706 {
                                                             if _e1706 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1708 = global_10.member[_e1705];
-                                                            phi_1719_ = _e1708;
+                                                            phi_1742_ = _e1708;
                                                         } else {
-                                                            phi_1719_ = 0u;
+                                                            phi_1742_ = 0u;
                                                         }
-                                                        let _e1710 = phi_1719_;
+                                                        let _e1710 = phi_1742_;
                                                         let _e1736 = (_e1394 + 2u);
                                                         let _e1737 = (_e1736 < _e112);
                                                         if _e1737 {
                                                             if _e1737 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1739 = global_10.member[_e1736];
-                                                            phi_1765_ = _e1739;
+                                                            phi_1791_ = _e1739;
                                                         } else {
-                                                            phi_1765_ = 0u;
+                                                            phi_1791_ = 0u;
                                                         }
-                                                        let _e1741 = phi_1765_;
-                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))));
+                                                        let _e1741 = phi_1791_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1673 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1710 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1675)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1685)) & 1023u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | ((_e1741 >> bitcast<u32>(_e1695)) & 1023u))) - 8388608f) * _e168))));
                                                         break;
                                                     }
                                                     case 1: {
@@ -973,143 +973,143 @@ fn function_() {
                                                         if _e1483 {
                                                             if _e1483 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1485 = global_10.member[_e1394];
-                                                            phi_1811_ = _e1485;
+                                                            phi_1840_ = _e1485;
                                                         } else {
-                                                            phi_1811_ = 0u;
+                                                            phi_1840_ = 0u;
                                                         }
-                                                        let _e1487 = phi_1811_;
+                                                        let _e1487 = phi_1840_;
                                                         let _e1488 = (_e1394 + 1u);
                                                         let _e1489 = (_e1488 < _e112);
                                                         if _e1489 {
                                                             if _e1489 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1491 = global_10.member[_e1488];
-                                                            phi_1826_ = _e1491;
+                                                            phi_1855_ = _e1491;
                                                         } else {
-                                                            phi_1826_ = 0u;
+                                                            phi_1855_ = 0u;
                                                         }
-                                                        let _e1493 = phi_1826_;
+                                                        let _e1493 = phi_1855_;
                                                         let _e1494 = (_e431 == 1u);
                                                         if _e1494 {
-                                                            phi_1836_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
+                                                            phi_1865_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1836_ = (_e1493 >> bitcast<u32>(10i));
+                                                            phi_1865_ = (_e1493 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1503 = phi_1836_;
+                                                        let _e1503 = phi_1865_;
                                                         let _e1511 = (_e430 == 1u);
                                                         if _e1511 {
-                                                            phi_1857_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
+                                                            phi_1886_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1857_ = (_e1493 >> bitcast<u32>(10i));
+                                                            phi_1886_ = (_e1493 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1520 = phi_1857_;
+                                                        let _e1520 = phi_1886_;
                                                         let _e1528 = (_e432 == 1u);
                                                         if _e1528 {
-                                                            phi_1878_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
+                                                            phi_1907_ = ((_e1487 >> bitcast<u32>(21i)) | (_e1493 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1878_ = (_e1493 >> bitcast<u32>(10i));
+                                                            phi_1907_ = (_e1493 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1537 = phi_1878_;
+                                                        let _e1537 = phi_1907_;
                                                         let _e1546 = (_e1394 + 2u);
                                                         let _e1547 = (_e1546 < _e112);
                                                         if _e1547 {
                                                             if _e1547 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1549 = global_10.member[_e1546];
-                                                            phi_1905_ = _e1549;
+                                                            phi_1937_ = _e1549;
                                                         } else {
-                                                            phi_1905_ = 0u;
+                                                            phi_1937_ = 0u;
                                                         }
-                                                        let _e1551 = phi_1905_;
+                                                        let _e1551 = phi_1937_;
                                                         let _e1552 = (_e1394 + 3u);
                                                         let _e1553 = (_e1552 < _e112);
                                                         if _e1553 {
                                                             if _e1553 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1555 = global_10.member[_e1552];
-                                                            phi_1920_ = _e1555;
+                                                            phi_1952_ = _e1555;
                                                         } else {
-                                                            phi_1920_ = 0u;
+                                                            phi_1952_ = 0u;
                                                         }
-                                                        let _e1557 = phi_1920_;
+                                                        let _e1557 = phi_1952_;
                                                         if _e1494 {
-                                                            phi_1930_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
+                                                            phi_1962_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1930_ = (_e1557 >> bitcast<u32>(10i));
+                                                            phi_1962_ = (_e1557 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1566 = phi_1930_;
+                                                        let _e1566 = phi_1962_;
                                                         if _e1511 {
-                                                            phi_1951_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
+                                                            phi_1983_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1951_ = (_e1557 >> bitcast<u32>(10i));
+                                                            phi_1983_ = (_e1557 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1582 = phi_1951_;
+                                                        let _e1582 = phi_1983_;
                                                         if _e1528 {
-                                                            phi_1972_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
+                                                            phi_2004_ = ((_e1551 >> bitcast<u32>(21i)) | (_e1557 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1972_ = (_e1557 >> bitcast<u32>(10i));
+                                                            phi_2004_ = (_e1557 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1598 = phi_1972_;
+                                                        let _e1598 = phi_2004_;
                                                         let _e1607 = (_e1394 + 4u);
                                                         let _e1608 = (_e1607 < _e112);
                                                         if _e1608 {
                                                             if _e1608 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1610 = global_10.member[_e1607];
-                                                            phi_1999_ = _e1610;
+                                                            phi_2034_ = _e1610;
                                                         } else {
-                                                            phi_1999_ = 0u;
+                                                            phi_2034_ = 0u;
                                                         }
-                                                        let _e1612 = phi_1999_;
+                                                        let _e1612 = phi_2034_;
                                                         let _e1613 = (_e1394 + 5u);
                                                         let _e1614 = (_e1613 < _e112);
                                                         if _e1614 {
                                                             if _e1614 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1616 = global_10.member[_e1613];
-                                                            phi_2014_ = _e1616;
+                                                            phi_2049_ = _e1616;
                                                         } else {
-                                                            phi_2014_ = 0u;
+                                                            phi_2049_ = 0u;
                                                         }
-                                                        let _e1618 = phi_2014_;
+                                                        let _e1618 = phi_2049_;
                                                         if _e1494 {
-                                                            phi_2024_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
+                                                            phi_2059_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2024_ = (_e1618 >> bitcast<u32>(10i));
+                                                            phi_2059_ = (_e1618 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1627 = phi_2024_;
+                                                        let _e1627 = phi_2059_;
                                                         if _e1511 {
-                                                            phi_2045_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
+                                                            phi_2080_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2045_ = (_e1618 >> bitcast<u32>(10i));
+                                                            phi_2080_ = (_e1618 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1643 = phi_2045_;
+                                                        let _e1643 = phi_2080_;
                                                         if _e1528 {
-                                                            phi_2066_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
+                                                            phi_2101_ = ((_e1612 >> bitcast<u32>(21i)) | (_e1618 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_2066_ = (_e1618 >> bitcast<u32>(10i));
+                                                            phi_2101_ = (_e1618 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1659 = phi_2066_;
-                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1503, _e1487, _e455) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1520, _e1487, _e522) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1537, _e1487, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1566, _e1551, _e455) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1582, _e1551, _e522) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1598, _e1551, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e847.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1627, _e1612, _e455) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1643, _e1612, _e522) & 2097151u))) - 8388608f) * _e168)), (_e847.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1659, _e1612, _e588) & 2097151u))) - 8388608f) * _e168))));
+                                                        let _e1659 = phi_2101_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1503, _e1487, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1520, _e1487, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1537, _e1487, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1566, _e1551, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1582, _e1551, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1598, _e1551, _e588) & 2097151u))) - 8388608f) * _e168))), array<f32, 3>((_e851.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1627, _e1612, _e455) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1643, _e1612, _e522) & 2097151u))) - 8388608f) * _e168)), (_e851.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1659, _e1612, _e588) & 2097151u))) - 8388608f) * _e168))));
                                                         break;
                                                     }
                                                     case 2: {
@@ -1118,138 +1118,138 @@ fn function_() {
                                                         if _e1397 {
                                                             if _e1397 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1399 = global_10.member[_e1396];
-                                                            phi_2094_ = _e1399;
+                                                            phi_2132_ = _e1399;
                                                         } else {
-                                                            phi_2094_ = 0u;
+                                                            phi_2132_ = 0u;
                                                         }
-                                                        let _e1401 = phi_2094_;
+                                                        let _e1401 = phi_2132_;
                                                         let _e1405 = (_e1394 + _e430);
                                                         let _e1406 = (_e1405 < _e112);
                                                         if _e1406 {
                                                             if _e1406 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1408 = global_10.member[_e1405];
-                                                            phi_2112_ = _e1408;
+                                                            phi_2150_ = _e1408;
                                                         } else {
-                                                            phi_2112_ = 0u;
+                                                            phi_2150_ = 0u;
                                                         }
-                                                        let _e1410 = phi_2112_;
+                                                        let _e1410 = phi_2150_;
                                                         let _e1414 = (_e1394 + _e432);
                                                         let _e1415 = (_e1414 < _e112);
                                                         if _e1415 {
                                                             if _e1415 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1417 = global_10.member[_e1414];
-                                                            phi_2130_ = _e1417;
+                                                            phi_2168_ = _e1417;
                                                         } else {
-                                                            phi_2130_ = 0u;
+                                                            phi_2168_ = 0u;
                                                         }
-                                                        let _e1419 = phi_2130_;
+                                                        let _e1419 = phi_2168_;
                                                         let _e1424 = (_e1394 + 3u);
                                                         let _e1425 = (_e1424 + _e431);
                                                         let _e1426 = (_e1425 < _e112);
                                                         if _e1426 {
                                                             if _e1426 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1428 = global_10.member[_e1425];
-                                                            phi_2150_ = _e1428;
+                                                            phi_2191_ = _e1428;
                                                         } else {
-                                                            phi_2150_ = 0u;
+                                                            phi_2191_ = 0u;
                                                         }
-                                                        let _e1430 = phi_2150_;
+                                                        let _e1430 = phi_2191_;
                                                         let _e1434 = (_e1424 + _e430);
                                                         let _e1435 = (_e1434 < _e112);
                                                         if _e1435 {
                                                             if _e1435 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1437 = global_10.member[_e1434];
-                                                            phi_2168_ = _e1437;
+                                                            phi_2209_ = _e1437;
                                                         } else {
-                                                            phi_2168_ = 0u;
+                                                            phi_2209_ = 0u;
                                                         }
-                                                        let _e1439 = phi_2168_;
+                                                        let _e1439 = phi_2209_;
                                                         let _e1443 = (_e1424 + _e432);
                                                         let _e1444 = (_e1443 < _e112);
                                                         if _e1444 {
                                                             if _e1444 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1446 = global_10.member[_e1443];
-                                                            phi_2186_ = _e1446;
+                                                            phi_2227_ = _e1446;
                                                         } else {
-                                                            phi_2186_ = 0u;
+                                                            phi_2227_ = 0u;
                                                         }
-                                                        let _e1448 = phi_2186_;
+                                                        let _e1448 = phi_2227_;
                                                         let _e1453 = (_e1394 + 6u);
                                                         let _e1454 = (_e1453 + _e431);
                                                         let _e1455 = (_e1454 < _e112);
                                                         if _e1455 {
                                                             if _e1455 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1457 = global_10.member[_e1454];
-                                                            phi_2206_ = _e1457;
+                                                            phi_2250_ = _e1457;
                                                         } else {
-                                                            phi_2206_ = 0u;
+                                                            phi_2250_ = 0u;
                                                         }
-                                                        let _e1459 = phi_2206_;
+                                                        let _e1459 = phi_2250_;
                                                         let _e1463 = (_e1453 + _e430);
                                                         let _e1464 = (_e1463 < _e112);
                                                         if _e1464 {
                                                             if _e1464 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1466 = global_10.member[_e1463];
-                                                            phi_2224_ = _e1466;
+                                                            phi_2268_ = _e1466;
                                                         } else {
-                                                            phi_2224_ = 0u;
+                                                            phi_2268_ = 0u;
                                                         }
-                                                        let _e1468 = phi_2224_;
+                                                        let _e1468 = phi_2268_;
                                                         let _e1472 = (_e1453 + _e432);
                                                         let _e1473 = (_e1472 < _e112);
                                                         if _e1473 {
                                                             if _e1473 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e1475 = global_10.member[_e1472];
-                                                            phi_2242_ = _e1475;
+                                                            phi_2286_ = _e1475;
                                                         } else {
-                                                            phi_2242_ = 0u;
+                                                            phi_2286_ = 0u;
                                                         }
-                                                        let _e1477 = phi_2242_;
-                                                        phi_2248_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1401)) * _e168), (f32(bitcast<i32>(_e1410)) * _e168), (f32(bitcast<i32>(_e1419)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1430)) * _e168), (f32(bitcast<i32>(_e1439)) * _e168), (f32(bitcast<i32>(_e1448)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1459)) * _e168), (f32(bitcast<i32>(_e1468)) * _e168), (f32(bitcast<i32>(_e1477)) * _e168)));
+                                                        let _e1477 = phi_2286_;
+                                                        phi_2292_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1401)) * _e168), (f32(bitcast<i32>(_e1410)) * _e168), (f32(bitcast<i32>(_e1419)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1430)) * _e168), (f32(bitcast<i32>(_e1439)) * _e168), (f32(bitcast<i32>(_e1448)) * _e168)), array<f32, 3>((f32(bitcast<i32>(_e1459)) * _e168), (f32(bitcast<i32>(_e1468)) * _e168), (f32(bitcast<i32>(_e1477)) * _e168)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2248_ = array<array<f32, 3>, 3>();
+                                                        phi_2292_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1769 = phi_2248_;
+                                                let _e1769 = phi_2292_;
                                                 let _e1777 = (_e1769[0][2] - _e611);
                                                 let _e1780 = (((_e1769[0][0] - _e478) * _e650) - (_e1777 * _e518));
                                                 let _e1783 = (((_e1769[0][1] - _e545) * _e650) - (_e1777 * _e584));
@@ -1276,34 +1276,34 @@ fn function_() {
                                                     let _e1839 = select(0f, _e1837, (_e1837 > 0f));
                                                     let _e1841 = ((_e1831 + _e1835) + _e1839);
                                                     if (_e1841 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3073_ = type_25();
-                                                        phi_3074_ = true;
-                                                        phi_3075_ = false;
+                                                        phi_3176_ = type_25();
+                                                        phi_3177_ = true;
+                                                        phi_3178_ = false;
                                                     } else {
                                                         let _e1844 = select(_e1793, _e1780, (_e1780 < _e1793));
                                                         if (select(_e1806, _e1844, (_e1844 < _e1806)) > 0f) {
-                                                            phi_2365_ = true;
+                                                            phi_2444_ = true;
                                                         } else {
                                                             let _e1849 = select(_e1793, _e1780, (_e1780 > _e1793));
-                                                            phi_2365_ = (select(_e1806, _e1849, (_e1849 > _e1806)) < 0f);
+                                                            phi_2444_ = (select(_e1806, _e1849, (_e1849 > _e1806)) < 0f);
                                                         }
-                                                        let _e1854 = phi_2365_;
+                                                        let _e1854 = phi_2444_;
                                                         if _e1854 {
-                                                            phi_3070_ = type_25();
-                                                            phi_3071_ = true;
-                                                            phi_3072_ = false;
+                                                            phi_3173_ = type_25();
+                                                            phi_3174_ = true;
+                                                            phi_3175_ = false;
                                                         } else {
                                                             let _e1856 = select(_e1796, _e1783, (_e1783 < _e1796));
                                                             if (select(_e1809, _e1856, (_e1856 < _e1809)) > 0f) {
-                                                                phi_2394_ = true;
+                                                                phi_2473_ = true;
                                                             } else {
                                                                 let _e1861 = select(_e1796, _e1783, (_e1783 > _e1796));
-                                                                phi_2394_ = (select(_e1809, _e1861, (_e1861 > _e1809)) < 0f);
+                                                                phi_2473_ = (select(_e1809, _e1861, (_e1861 > _e1809)) < 0f);
                                                             }
-                                                            let _e1866 = phi_2394_;
+                                                            let _e1866 = phi_2473_;
                                                             if _e1866 {
-                                                                phi_3068_ = type_25();
-                                                                phi_3069_ = false;
+                                                                phi_3171_ = type_25();
+                                                                phi_3172_ = false;
                                                             } else {
                                                                 let _e1868 = select(_e1769[1][0], _e1769[0][0], (_e1769[0][0] < _e1769[1][0]));
                                                                 let _e1872 = select(_e1769[1][0], _e1769[0][0], (_e1769[0][0] > _e1769[1][0]));
@@ -1330,12 +1330,12 @@ fn function_() {
                                                                 let _e1923 = -(_e1904);
                                                                 let _e1929 = select(_e764, _e1914, (_e1914 > _e764));
                                                                 if (_e1929 > (_e1922 + (select(_e1923, _e1906, (_e1906 > _e1923)) * 0.0000019073523f))) {
-                                                                    phi_3063_ = type_25();
-                                                                    phi_3064_ = true;
+                                                                    phi_3166_ = type_25();
+                                                                    phi_3167_ = true;
                                                                 } else {
                                                                     let _e1931 = (_e1929 > _e1322.member_1);
                                                                     if _e1931 {
-                                                                        phi_3062_ = type_25();
+                                                                        phi_3165_ = type_25();
                                                                     } else {
                                                                         let _e1932 = vec3<f32>(_e1769[0][0], _e1769[0][1], _e1769[0][2]);
                                                                         let _e1933 = vec3<f32>(_e1769[1][0], _e1769[1][1], _e1769[1][2]);
@@ -1370,49 +1370,49 @@ fn function_() {
                                                                         let _e1987 = select(_e1972, _e1959, (_e1959 > _e1972));
                                                                         let _e1989 = select(_e1985, _e1987, (_e1987 > _e1985));
                                                                         if (_e1959 == _e1989) {
-                                                                            phi_2795_ = _e1796;
-                                                                            phi_2796_ = _e1793;
-                                                                            phi_2797_ = _e1783;
-                                                                            phi_2798_ = _e1780;
-                                                                            phi_2799_ = _e1932;
-                                                                            phi_2800_ = _e1946;
-                                                                            phi_2801_ = _e1942;
-                                                                            phi_2802_ = _e1938;
+                                                                            phi_2892_ = _e1796;
+                                                                            phi_2893_ = _e1793;
+                                                                            phi_2894_ = _e1783;
+                                                                            phi_2895_ = _e1780;
+                                                                            phi_2896_ = _e1932;
+                                                                            phi_2897_ = _e1946;
+                                                                            phi_2898_ = _e1942;
+                                                                            phi_2899_ = _e1938;
                                                                         } else {
                                                                             let _e1991 = (_e1972 == _e1989);
                                                                             let _e1996 = vec3(_e1991);
-                                                                            phi_2795_ = select(_e1783, _e1809, _e1991);
-                                                                            phi_2796_ = select(_e1780, _e1806, _e1991);
-                                                                            phi_2797_ = select(_e1809, _e1796, _e1991);
-                                                                            phi_2798_ = select(_e1806, _e1793, _e1991);
-                                                                            phi_2799_ = select(_e1934, _e1933, _e1996);
-                                                                            phi_2800_ = select(_e1942, _e1938, _e1996);
-                                                                            phi_2801_ = select(_e1938, _e1946, _e1996);
-                                                                            phi_2802_ = select(_e1946, _e1942, _e1996);
+                                                                            phi_2892_ = select(_e1783, _e1809, _e1991);
+                                                                            phi_2893_ = select(_e1780, _e1806, _e1991);
+                                                                            phi_2894_ = select(_e1809, _e1796, _e1991);
+                                                                            phi_2895_ = select(_e1806, _e1793, _e1991);
+                                                                            phi_2896_ = select(_e1934, _e1933, _e1996);
+                                                                            phi_2897_ = select(_e1942, _e1938, _e1996);
+                                                                            phi_2898_ = select(_e1938, _e1946, _e1996);
+                                                                            phi_2899_ = select(_e1946, _e1942, _e1996);
                                                                         }
-                                                                        let _e2002 = phi_2795_;
-                                                                        let _e2004 = phi_2796_;
-                                                                        let _e2006 = phi_2797_;
-                                                                        let _e2008 = phi_2798_;
-                                                                        let _e2010 = phi_2799_;
-                                                                        let _e2012 = phi_2800_;
-                                                                        let _e2014 = phi_2801_;
-                                                                        let _e2016 = phi_2802_;
+                                                                        let _e2002 = phi_2892_;
+                                                                        let _e2004 = phi_2893_;
+                                                                        let _e2006 = phi_2894_;
+                                                                        let _e2008 = phi_2895_;
+                                                                        let _e2010 = phi_2896_;
+                                                                        let _e2012 = phi_2897_;
+                                                                        let _e2014 = phi_2898_;
+                                                                        let _e2016 = phi_2899_;
                                                                         let _e2023 = ((_e2014.y * _e2012.z) - (_e2012.y * _e2014.z));
                                                                         let _e2028 = ((_e2014.z * _e2012.x) - (_e2012.z * _e2014.x));
                                                                         let _e2031 = ((_e2014.x * _e2012.y) - (_e2012.x * _e2014.y));
                                                                         if (_e1831 >= _e1835) {
-                                                                            phi_2833_ = select(true, false, (_e1831 >= _e1839));
+                                                                            phi_2936_ = select(true, false, (_e1831 >= _e1839));
                                                                         } else {
-                                                                            phi_2833_ = true;
+                                                                            phi_2936_ = true;
                                                                         }
-                                                                        let _e2036 = phi_2833_;
+                                                                        let _e2036 = phi_2936_;
                                                                         if _e2036 {
-                                                                            phi_2842_ = select(_e1934, _e1933, vec3((_e1835 >= _e1839)));
+                                                                            phi_2945_ = select(_e1934, _e1933, vec3((_e1835 >= _e1839)));
                                                                         } else {
-                                                                            phi_2842_ = _e1932;
+                                                                            phi_2945_ = _e1932;
                                                                         }
-                                                                        let _e2041 = phi_2842_;
+                                                                        let _e2041 = phi_2945_;
                                                                         let _e2052 = (((_e2023 * (_e2041.x - _e478)) + (_e2028 * (_e2041.y - _e545))) + (_e2031 * (_e2041.z - _e611)));
                                                                         let _e2057 = (((_e2023 * _e518) + (_e2028 * _e584)) + (_e2031 * _e650));
                                                                         let _e2058 = (_e2004 - _e2008);
@@ -1444,168 +1444,168 @@ fn function_() {
                                                                             let _e2155 = bitcast<f32>((bitcast<u32>(_e2012.z) & 2147483647u));
                                                                             let _e2159 = (bitcast<f32>((bitcast<u32>(_e2057) & 2147483647u)) > ((0.0000038146973f * select(_e2141, _e2138, (_e2138 > _e2141))) * select(_e2155, _e2152, (_e2152 > _e2155))));
                                                                             if _e2159 {
-                                                                                phi_3007_ = (_e2052 / _e2057);
+                                                                                phi_3110_ = (_e2052 / _e2057);
                                                                             } else {
-                                                                                phi_3007_ = f32();
+                                                                                phi_3110_ = f32();
                                                                             }
-                                                                            let _e2162 = phi_3007_;
-                                                                            phi_3009_ = _e2162;
-                                                                            phi_3010_ = select(true, false, _e2159);
+                                                                            let _e2162 = phi_3110_;
+                                                                            phi_3112_ = _e2162;
+                                                                            phi_3113_ = select(true, false, _e2159);
                                                                         } else {
-                                                                            phi_3009_ = f32();
-                                                                            phi_3010_ = true;
+                                                                            phi_3112_ = f32();
+                                                                            phi_3113_ = true;
                                                                         }
-                                                                        let _e2165 = phi_3009_;
-                                                                        let _e2167 = phi_3010_;
+                                                                        let _e2165 = phi_3112_;
+                                                                        let _e2167 = phi_3113_;
                                                                         if _e2167 {
                                                                             let _e2175 = (((_e2023 * (_e2084 - (_e518 * _e2087))) + (_e2028 * (_e2085 - (_e584 * _e2087)))) / _e2057);
                                                                             if (bitcast<f32>((bitcast<u32>(_e2175) & 2147483647u)) <= _e1989) {
-                                                                                phi_3030_ = (_e2087 + _e2175);
+                                                                                phi_3133_ = (_e2087 + _e2175);
                                                                             } else {
-                                                                                phi_3030_ = _e2087;
+                                                                                phi_3133_ = _e2087;
                                                                             }
-                                                                            let _e2182 = phi_3030_;
-                                                                            phi_3031_ = _e2182;
+                                                                            let _e2182 = phi_3133_;
+                                                                            phi_3134_ = _e2182;
                                                                         } else {
-                                                                            phi_3031_ = _e2165;
+                                                                            phi_3134_ = _e2165;
                                                                         }
-                                                                        let _e2184 = phi_3031_;
+                                                                        let _e2184 = phi_3134_;
                                                                         let _e2186 = select(_e1922, _e2184, (_e2184 < _e1922));
                                                                         let _e2188 = select(_e1914, _e2186, (_e2186 > _e1914));
                                                                         if (_e2188 >= _e764) {
                                                                             let _e2190 = (_e2188 <= _e1322.member_1);
                                                                             if _e2190 {
                                                                                 let _e2191 = (1f / _e1841);
-                                                                                phi_3054_ = type_25(_e2188, (_e1835 * _e2191), (_e1839 * _e2191), _e1382);
+                                                                                phi_3157_ = type_25(_e2188, (_e1835 * _e2191), (_e1839 * _e2191), _e1382);
                                                                             } else {
-                                                                                phi_3054_ = type_25();
+                                                                                phi_3157_ = type_25();
                                                                             }
-                                                                            let _e2196 = phi_3054_;
-                                                                            phi_3056_ = _e2196;
-                                                                            phi_3057_ = select(true, false, _e2190);
+                                                                            let _e2196 = phi_3157_;
+                                                                            phi_3159_ = _e2196;
+                                                                            phi_3160_ = select(true, false, _e2190);
                                                                         } else {
-                                                                            phi_3056_ = type_25();
-                                                                            phi_3057_ = true;
+                                                                            phi_3159_ = type_25();
+                                                                            phi_3160_ = true;
                                                                         }
-                                                                        let _e2199 = phi_3056_;
-                                                                        let _e2201 = phi_3057_;
+                                                                        let _e2199 = phi_3159_;
+                                                                        let _e2201 = phi_3160_;
                                                                         if _e2201 {
-                                                                            phi_3061_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_3164_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_3061_ = _e2199;
+                                                                            phi_3164_ = _e2199;
                                                                         }
-                                                                        let _e2203 = phi_3061_;
-                                                                        phi_3062_ = _e2203;
+                                                                        let _e2203 = phi_3164_;
+                                                                        phi_3165_ = _e2203;
                                                                     }
-                                                                    let _e2205 = phi_3062_;
-                                                                    phi_3063_ = _e2205;
-                                                                    phi_3064_ = _e1931;
+                                                                    let _e2205 = phi_3165_;
+                                                                    phi_3166_ = _e2205;
+                                                                    phi_3167_ = _e1931;
                                                                 }
-                                                                let _e2207 = phi_3063_;
-                                                                let _e2209 = phi_3064_;
-                                                                phi_3068_ = _e2207;
-                                                                phi_3069_ = _e2209;
+                                                                let _e2207 = phi_3166_;
+                                                                let _e2209 = phi_3167_;
+                                                                phi_3171_ = _e2207;
+                                                                phi_3172_ = _e2209;
                                                             }
-                                                            let _e2211 = phi_3068_;
-                                                            let _e2213 = phi_3069_;
-                                                            phi_3070_ = _e2211;
-                                                            phi_3071_ = _e1866;
-                                                            phi_3072_ = _e2213;
+                                                            let _e2211 = phi_3171_;
+                                                            let _e2213 = phi_3172_;
+                                                            phi_3173_ = _e2211;
+                                                            phi_3174_ = _e1866;
+                                                            phi_3175_ = _e2213;
                                                         }
-                                                        let _e2215 = phi_3070_;
-                                                        let _e2217 = phi_3071_;
-                                                        let _e2219 = phi_3072_;
-                                                        phi_3073_ = _e2215;
-                                                        phi_3074_ = _e2217;
-                                                        phi_3075_ = _e2219;
+                                                        let _e2215 = phi_3173_;
+                                                        let _e2217 = phi_3174_;
+                                                        let _e2219 = phi_3175_;
+                                                        phi_3176_ = _e2215;
+                                                        phi_3177_ = _e2217;
+                                                        phi_3178_ = _e2219;
                                                     }
-                                                    let _e2221 = phi_3073_;
-                                                    let _e2223 = phi_3074_;
-                                                    let _e2225 = phi_3075_;
-                                                    phi_3083_ = _e2221;
-                                                    phi_3084_ = select(_e2225, true, _e2223);
+                                                    let _e2221 = phi_3176_;
+                                                    let _e2223 = phi_3177_;
+                                                    let _e2225 = phi_3178_;
+                                                    phi_3186_ = _e2221;
+                                                    phi_3187_ = select(_e2225, true, _e2223);
                                                 } else {
-                                                    phi_3083_ = type_25();
-                                                    phi_3084_ = true;
+                                                    phi_3186_ = type_25();
+                                                    phi_3187_ = true;
                                                 }
-                                                let _e2228 = phi_3083_;
-                                                let _e2230 = phi_3084_;
+                                                let _e2228 = phi_3186_;
+                                                let _e2230 = phi_3187_;
                                                 if _e2230 {
-                                                    phi_3088_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_3191_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_3088_ = _e2228;
+                                                    phi_3191_ = _e2228;
                                                 }
-                                                let _e2232 = phi_3088_;
+                                                let _e2232 = phi_3191_;
                                                 if (_e2232.member_3 != 4294967295u) {
                                                     if (_e1382 == _e177) {
-                                                        phi_3417_ = false;
+                                                        phi_3526_ = false;
                                                     } else {
                                                         let _e2236 = (_e1382 < arrayLength((&global_5.member)));
                                                         if _e2236 {
                                                             if _e2236 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e2238 = global_5.member[_e1382];
-                                                            phi_3111_ = _e2238;
+                                                            phi_3214_ = _e2238;
                                                         } else {
-                                                            phi_3111_ = 4294967295u;
+                                                            phi_3214_ = 4294967295u;
                                                         }
-                                                        let _e2240 = phi_3111_;
+                                                        let _e2240 = phi_3214_;
                                                         let _e2241 = (_e2240 < arrayLength((&global_6.member)));
                                                         if _e2241 {
                                                             if _e2241 {
                                                             } else {
-                                                                phi_5130_ = true;
+                                                                phi_5270_ = true;
                                                                 break;
                                                             }
                                                             let _e2243 = global_6.member[_e2240];
-                                                            phi_3125_ = _e2243;
+                                                            phi_3228_ = _e2243;
                                                         } else {
-                                                            phi_3125_ = 0i;
+                                                            phi_3228_ = 0i;
                                                         }
-                                                        let _e2245 = phi_3125_;
+                                                        let _e2245 = phi_3228_;
                                                         let _e2246 = (_e2245 == 0i);
                                                         if _e2246 {
-                                                            phi_3416_ = true;
+                                                            phi_3525_ = true;
                                                         } else {
                                                             if _e455 {
-                                                                phi_3146_ = vec3<f32>(_e1769[0][0], _e1769[0][1], _e1769[0][2]);
+                                                                phi_3251_ = vec3<f32>(_e1769[0][0], _e1769[0][1], _e1769[0][2]);
                                                             } else {
                                                                 if (_e431 == 1u) {
-                                                                    phi_3145_ = vec3<f32>(_e1769[0][2], _e1769[0][0], _e1769[0][1]);
+                                                                    phi_3250_ = vec3<f32>(_e1769[0][2], _e1769[0][0], _e1769[0][1]);
                                                                 } else {
-                                                                    phi_3145_ = vec3<f32>(_e1769[0][1], _e1769[0][2], _e1769[0][0]);
+                                                                    phi_3250_ = vec3<f32>(_e1769[0][1], _e1769[0][2], _e1769[0][0]);
                                                                 }
-                                                                let _e2251 = phi_3145_;
-                                                                phi_3146_ = _e2251;
+                                                                let _e2251 = phi_3250_;
+                                                                phi_3251_ = _e2251;
                                                             }
-                                                            let _e2254 = phi_3146_;
+                                                            let _e2254 = phi_3251_;
                                                             if _e455 {
-                                                                phi_3163_ = vec3<f32>(_e1769[1][0], _e1769[1][1], _e1769[1][2]);
+                                                                phi_3270_ = vec3<f32>(_e1769[1][0], _e1769[1][1], _e1769[1][2]);
                                                             } else {
                                                                 if (_e431 == 1u) {
-                                                                    phi_3162_ = vec3<f32>(_e1769[1][2], _e1769[1][0], _e1769[1][1]);
+                                                                    phi_3269_ = vec3<f32>(_e1769[1][2], _e1769[1][0], _e1769[1][1]);
                                                                 } else {
-                                                                    phi_3162_ = vec3<f32>(_e1769[1][1], _e1769[1][2], _e1769[1][0]);
+                                                                    phi_3269_ = vec3<f32>(_e1769[1][1], _e1769[1][2], _e1769[1][0]);
                                                                 }
-                                                                let _e2259 = phi_3162_;
-                                                                phi_3163_ = _e2259;
+                                                                let _e2259 = phi_3269_;
+                                                                phi_3270_ = _e2259;
                                                             }
-                                                            let _e2262 = phi_3163_;
+                                                            let _e2262 = phi_3270_;
                                                             if _e455 {
-                                                                phi_3180_ = vec3<f32>(_e1769[2][0], _e1769[2][1], _e1769[2][2]);
+                                                                phi_3289_ = vec3<f32>(_e1769[2][0], _e1769[2][1], _e1769[2][2]);
                                                             } else {
                                                                 if (_e431 == 1u) {
-                                                                    phi_3179_ = vec3<f32>(_e1769[2][2], _e1769[2][0], _e1769[2][1]);
+                                                                    phi_3288_ = vec3<f32>(_e1769[2][2], _e1769[2][0], _e1769[2][1]);
                                                                 } else {
-                                                                    phi_3179_ = vec3<f32>(_e1769[2][1], _e1769[2][2], _e1769[2][0]);
+                                                                    phi_3288_ = vec3<f32>(_e1769[2][1], _e1769[2][2], _e1769[2][0]);
                                                                 }
-                                                                let _e2267 = phi_3179_;
-                                                                phi_3180_ = _e2267;
+                                                                let _e2267 = phi_3288_;
+                                                                phi_3289_ = _e2267;
                                                             }
-                                                            let _e2270 = phi_3180_;
+                                                            let _e2270 = phi_3289_;
                                                             let _e2273 = (_e2262.x - _e2254.x);
                                                             let _e2276 = (_e2262.y - _e2254.y);
                                                             let _e2279 = (_e2262.z - _e2254.z);
@@ -1613,11 +1613,11 @@ fn function_() {
                                                             let _e2283 = (_e2270.y - _e2254.y);
                                                             let _e2285 = (_e2270.z - _e2254.z);
                                                             if (_e309.member_1 == 1u) {
-                                                                phi_3216_ = (vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]) - _e2254);
+                                                                phi_3325_ = (vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]) - _e2254);
                                                             } else {
-                                                                phi_3216_ = vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]);
+                                                                phi_3325_ = vec3<f32>(_e309.member[0], _e309.member[1], _e309.member[2]);
                                                             }
-                                                            let _e2300 = phi_3216_;
+                                                            let _e2300 = phi_3325_;
                                                             let _e2306 = bitcast<f32>((bitcast<u32>((_e2273 * _e2283)) ^ _e309.member_3[0]));
                                                             let _e2310 = bitcast<f32>((bitcast<u32>((_e2276 * _e2281)) ^ _e309.member_3[0]));
                                                             let _e2314 = bitcast<f32>((bitcast<u32>((_e2276 * _e2285)) ^ _e309.member_3[0]));
@@ -1631,7 +1631,7 @@ fn function_() {
                                                             let _e2360 = (bitcast<f32>((bitcast<u32>(_e2322) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2326) & 2147483647u)));
                                                             let _e2367 = (bitcast<f32>((bitcast<u32>(_e2306) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2310) & 2147483647u)));
                                                             if (_e309.member_2 == 0f) {
-                                                                phi_3398_ = 0f;
+                                                                phi_3507_ = 0f;
                                                             } else {
                                                                 let _e2397 = bitcast<f32>((bitcast<u32>(_e2327) & 2147483647u));
                                                                 let _e2400 = bitcast<f32>((bitcast<u32>(_e2328) & 2147483647u));
@@ -1641,104 +1641,104 @@ fn function_() {
                                                                 let _e2413 = select(_e2400, _e2397, (_e2397 < _e2400));
                                                                 let _e2415 = select(_e2400, _e2397, (_e2397 > _e2400));
                                                                 let _e2417 = select(_e2403, _e2415, (_e2415 < _e2403));
-                                                                phi_3398_ = bitcast<f32>((bitcast<u32>((_e309.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2405, _e2397, (_e2397 > _e2405)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2417, _e2413, (_e2413 > _e2417)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2409, _e2397, (_e2397 < _e2409)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2353 + _e2360) + _e2367))) ^ _e309.member_3[0]))) * 1.0000005f)) ^ _e309.member_3[0])))) ^ _e309.member_3[0]));
+                                                                phi_3507_ = bitcast<f32>((bitcast<u32>((_e309.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2405, _e2397, (_e2397 > _e2405)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2417, _e2413, (_e2413 > _e2417)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2409, _e2397, (_e2397 < _e2409)))) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2353 + _e2360) + _e2367))) ^ _e309.member_3[0]))) * 1.0000005f)) ^ _e309.member_3[0])))) ^ _e309.member_3[0]));
                                                             }
-                                                            let _e2444 = phi_3398_;
-                                                            phi_3416_ = (_e2246 || !(((((bitcast<f32>((bitcast<u32>((_e2300.x * _e2327)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2300.y * _e2328)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2300.z * _e2329)) ^ _e309.member_3[0]))) * f32(-(_e2245))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.x) & 2147483647u)) * _e2353)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.y) & 2147483647u)) * _e2360)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.z) & 2147483647u)) * _e2367)) ^ _e309.member_3[0]))))) ^ _e309.member_3[0])) + _e2444) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2444 = phi_3507_;
+                                                            phi_3525_ = (_e2246 || !(((((bitcast<f32>((bitcast<u32>((_e2300.x * _e2327)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2300.y * _e2328)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2300.z * _e2329)) ^ _e309.member_3[0]))) * f32(-(_e2245))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.x) & 2147483647u)) * _e2353)) ^ _e309.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.y) & 2147483647u)) * _e2360)) ^ _e309.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2300.z) & 2147483647u)) * _e2367)) ^ _e309.member_3[0]))))) ^ _e309.member_3[0])) + _e2444) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2458 = phi_3416_;
-                                                        phi_3417_ = _e2458;
+                                                        let _e2458 = phi_3525_;
+                                                        phi_3526_ = _e2458;
                                                     }
-                                                    let _e2460 = phi_3417_;
+                                                    let _e2460 = phi_3526_;
                                                     if _e2460 {
                                                         if (_e2232.member < _e1322.member.member) {
-                                                            phi_3437_ = true;
+                                                            phi_3546_ = true;
                                                         } else {
                                                             if (_e2232.member == _e1322.member.member) {
-                                                                phi_3436_ = (_e2232.member_3 < _e1322.member.member_3);
+                                                                phi_3545_ = (_e2232.member_3 < _e1322.member.member_3);
                                                             } else {
-                                                                phi_3436_ = false;
+                                                                phi_3545_ = false;
                                                             }
-                                                            let _e2470 = phi_3436_;
-                                                            phi_3437_ = _e2470;
+                                                            let _e2470 = phi_3545_;
+                                                            phi_3546_ = _e2470;
                                                         }
-                                                        let _e2472 = phi_3437_;
+                                                        let _e2472 = phi_3546_;
                                                         if _e2472 {
-                                                            phi_3443_ = type_42(_e2232, _e2232.member);
+                                                            phi_3552_ = type_43(_e2232, _e2232.member);
                                                         } else {
-                                                            phi_3443_ = _e1322;
+                                                            phi_3552_ = _e1322;
                                                         }
-                                                        let _e2475 = phi_3443_;
-                                                        phi_3444_ = _e2475;
+                                                        let _e2475 = phi_3552_;
+                                                        phi_3553_ = _e2475;
                                                     } else {
-                                                        phi_3444_ = _e1322;
+                                                        phi_3553_ = _e1322;
                                                     }
-                                                    let _e2477 = phi_3444_;
-                                                    phi_3445_ = _e2477;
+                                                    let _e2477 = phi_3553_;
+                                                    phi_3554_ = _e2477;
                                                 } else {
-                                                    phi_3445_ = _e1322;
+                                                    phi_3554_ = _e1322;
                                                 }
-                                                let _e2479 = phi_3445_;
-                                                phi_1512_ = _e2479;
+                                                let _e2479 = phi_3554_;
+                                                phi_1529_ = _e2479;
                                             } else {
-                                                phi_1512_ = type_42();
+                                                phi_1529_ = type_43();
                                             }
-                                            let _e2481 = phi_1512_;
+                                            let _e2481 = phi_1529_;
                                             continue;
                                             continuing {
-                                                phi_1511_ = _e2481;
-                                                phi_1514_ = _e1337;
-                                                phi_5130_ = _e806;
+                                                phi_1528_ = _e2481;
+                                                phi_1531_ = _e1337;
+                                                phi_5270_ = _e806;
                                                 break if !(_e1343);
                                             }
                                         }
-                                        let _e2484 = phi_5130_;
-                                        phi_5369_ = _e2484;
+                                        let _e2484 = phi_5270_;
+                                        phi_5509_ = _e2484;
                                         if _e2484 {
                                             break;
                                         }
-                                        phi_5373_ = _e2484;
+                                        phi_5513_ = _e2484;
                                         let _e2851 = local_11;
-                                        phi_4685_ = _e2851;
-                                        phi_4686_ = _e847;
-                                        phi_4687_ = false;
-                                        phi_4688_ = _e851;
+                                        phi_4825_ = _e2851;
+                                        phi_4826_ = false;
+                                        phi_4827_ = _e849;
+                                        phi_4828_ = _e851;
                                     } else {
-                                        if (_e847.member_1 >= _e109) {
-                                            phi_4241_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e851.member_1 >= _e109) {
+                                            phi_4360_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e847.member_1 < _e109) {
+                                            if (_e851.member_1 < _e109) {
                                             } else {
-                                                phi_5369_ = true;
+                                                phi_5509_ = true;
                                                 break;
                                             }
                                             let _e864 = ((1u + _e431) % 4u);
                                             if (_e864 < 4u) {
                                             } else {
-                                                phi_5369_ = true;
+                                                phi_5509_ = true;
                                                 break;
                                             }
-                                            let _e869 = global_4.member[_e847.member_1][_e864];
+                                            let _e869 = global_4.member[_e851.member_1][_e864];
                                             let _e871 = (_e869 >> bitcast<u32>(11u));
                                             let _e873 = ((1u + _e430) % 4u);
                                             if (_e873 < 4u) {
                                             } else {
-                                                phi_5369_ = true;
+                                                phi_5509_ = true;
                                                 break;
                                             }
-                                            let _e878 = global_4.member[_e847.member_1][_e873];
+                                            let _e878 = global_4.member[_e851.member_1][_e873];
                                             let _e880 = (_e878 >> bitcast<u32>(11u));
                                             let _e882 = ((1u + _e432) % 4u);
                                             if (_e882 < 4u) {
                                             } else {
-                                                phi_5369_ = true;
+                                                phi_5509_ = true;
                                                 break;
                                             }
-                                            let _e887 = global_4.member[_e847.member_1][_e882];
+                                            let _e887 = global_4.member[_e851.member_1][_e882];
                                             let _e889 = (_e887 >> bitcast<u32>(11u));
-                                            let _e912 = (bitcast<f32>((bitcast<u32>((_e847.member.member_1.x - _e847.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e913 = (bitcast<f32>((bitcast<u32>((_e847.member.member_1.y - _e847.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e914 = (bitcast<f32>((bitcast<u32>((_e847.member.member_1.z - _e847.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e912 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.x - _e851.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e913 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.y - _e851.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e914 = (bitcast<f32>((bitcast<u32>((_e851.member.member_1.z - _e851.member.member.z)) & 2139095040u)) * 0.001953125f);
                                             let _e916 = select(_e168, _e912, (_e912 > _e168));
                                             let _e918 = select(_e168, _e913, (_e913 > _e168));
                                             let _e920 = select(_e168, _e914, (_e914 > _e168));
@@ -1766,46 +1766,46 @@ fn function_() {
                                             let _e1020 = bitcast<f32>((_e990 & bitcast<u32>(~(_e995))));
                                             let _e1024 = bitcast<f32>((_e999 & bitcast<u32>(~(_e1004))));
                                             let _e1028 = bitcast<f32>((_e1008 & bitcast<u32>(~(_e1013))));
-                                            let _e1029 = (_e847.member.member.x + _e959);
-                                            let _e1030 = (_e847.member.member.y + _e968);
-                                            let _e1031 = (_e847.member.member.z + _e977);
-                                            let _e1034 = (_e847.member.member_1.x - _e998);
-                                            let _e1035 = (_e847.member.member_1.y - _e1007);
-                                            let _e1036 = (_e847.member.member_1.z - _e1016);
+                                            let _e1029 = (_e851.member.member.x + _e959);
+                                            let _e1030 = (_e851.member.member.y + _e968);
+                                            let _e1031 = (_e851.member.member.z + _e977);
+                                            let _e1034 = (_e851.member.member_1.x - _e998);
+                                            let _e1035 = (_e851.member.member_1.y - _e1007);
+                                            let _e1036 = (_e851.member.member_1.z - _e1016);
                                             let _e1055 = (_e1034 - _e1029);
                                             let _e1056 = (_e1035 - _e1030);
                                             let _e1057 = (_e1036 - _e1031);
                                             let _e1059 = select(_e1056, _e1055, (_e1055 > _e1056));
                                             let _e1061 = select(_e1057, _e1059, (_e1059 > _e1057));
                                             if (_e1061 < (1024f * _e168)) {
-                                                phi_3942_ = 0u;
+                                                phi_4061_ = 0u;
                                             } else {
-                                                phi_3942_ = select(2u, 1u, (_e1061 < (2097152f * _e168)));
+                                                phi_4061_ = select(2u, 1u, (_e1061 < (2097152f * _e168)));
                                             }
-                                            let _e1068 = phi_3942_;
+                                            let _e1068 = phi_4061_;
                                             switch bitcast<i32>(_e1068) {
                                                 case 0: {
-                                                    phi_3948_ = 1u;
+                                                    phi_4067_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3948_ = 2u;
+                                                    phi_4067_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3948_ = 3u;
+                                                    phi_4067_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3948_ = u32();
+                                                    phi_4067_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e1071 = phi_3948_;
-                                            let _e1077 = global_4.member[_e847.member_1][0u];
-                                            let _e1081 = global_4.member[_e847.member_1][1u];
-                                            let _e1085 = global_4.member[_e847.member_1][2u];
-                                            let _e1089 = global_4.member[_e847.member_1][3u];
+                                            let _e1071 = phi_4067_;
+                                            let _e1077 = global_4.member[_e851.member_1][0u];
+                                            let _e1081 = global_4.member[_e851.member_1][1u];
+                                            let _e1085 = global_4.member[_e851.member_1][2u];
+                                            let _e1089 = global_4.member[_e851.member_1][3u];
                                             let _e1101 = (((_e1081 >> bitcast<u32>(22i)) | ((_e1085 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1089 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
                                             let _e1102 = (_e1077 & 268435455u);
                                             let _e1103 = (_e1101 & 268435455u);
@@ -1813,48 +1813,48 @@ fn function_() {
                                             let _e1114 = ((_e1077 >> bitcast<u32>(31i)) | (((_e1101 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
                                             let _e1115 = (_e1106 != 0u);
                                             if (_e1106 == 0u) {
-                                                phi_4203_ = _e1102;
+                                                phi_4322_ = _e1102;
                                             } else {
                                                 if (_e1106 == 7u) {
-                                                    phi_4202_ = 2147483648u;
+                                                    phi_4321_ = 2147483648u;
                                                 } else {
-                                                    phi_4202_ = ((2147483648u | (_e1106 << bitcast<u32>(28u))) | (_e1103 & 268435455u));
+                                                    phi_4321_ = ((2147483648u | (_e1106 << bitcast<u32>(28u))) | (_e1103 & 268435455u));
                                                 }
-                                                let _e1124 = phi_4202_;
-                                                phi_4203_ = _e1124;
+                                                let _e1124 = phi_4321_;
+                                                phi_4322_ = _e1124;
                                             }
-                                            let _e1126 = phi_4203_;
+                                            let _e1126 = phi_4322_;
                                             if _e1115 {
                                                 let _e1127 = (_e1106 != 7u);
                                                 if _e1127 {
-                                                    phi_4213_ = (_e1103 + (_e1106 * ((3u * _e1071) + 1u)));
+                                                    phi_4332_ = (_e1103 + (_e1106 * ((3u * _e1071) + 1u)));
                                                 } else {
-                                                    phi_4213_ = u32();
+                                                    phi_4332_ = u32();
                                                 }
-                                                let _e1131 = phi_4213_;
-                                                phi_4215_ = _e1131;
-                                                phi_4216_ = select(true, false, _e1127);
+                                                let _e1131 = phi_4332_;
+                                                phi_4334_ = _e1131;
+                                                phi_4335_ = select(true, false, _e1127);
                                             } else {
-                                                phi_4215_ = u32();
-                                                phi_4216_ = true;
+                                                phi_4334_ = u32();
+                                                phi_4335_ = true;
                                             }
-                                            let _e1134 = phi_4215_;
-                                            let _e1136 = phi_4216_;
+                                            let _e1134 = phi_4334_;
+                                            let _e1136 = phi_4335_;
                                             if (_e1114 == 0u) {
-                                                phi_4237_ = (_e1102 + select(0u, 1u, !(_e1115)));
+                                                phi_4356_ = (_e1102 + select(0u, 1u, !(_e1115)));
                                             } else {
                                                 if (_e1114 == 7u) {
-                                                    phi_4236_ = 2147483648u;
+                                                    phi_4355_ = 2147483648u;
                                                 } else {
-                                                    phi_4236_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (select(_e1134, _e1103, _e1136) & 268435455u));
+                                                    phi_4355_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (select(_e1134, _e1103, _e1136) & 268435455u));
                                                 }
-                                                let _e1149 = phi_4236_;
-                                                phi_4237_ = _e1149;
+                                                let _e1149 = phi_4355_;
+                                                phi_4356_ = _e1149;
                                             }
-                                            let _e1151 = phi_4237_;
-                                            phi_4241_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e1029, (_e847.member.member.x + _e981), _e1034, (_e847.member.member_1.x - _e1020)), vec4<f32>(_e1030, (_e847.member.member.y + _e985), _e1035, (_e847.member.member_1.y - _e1024)), vec4<f32>(_e1031, (_e847.member.member.z + _e989), _e1036, (_e847.member.member_1.z - _e1028))), type_57(type_37((_e847.member.member + vec4<f32>(_e959, _e968, _e977, 0f)), (_e847.member.member_1 - vec4<f32>(_e998, _e1007, _e1016, 0f))), _e1126), type_57(type_37((_e847.member.member + vec4<f32>(_e981, _e985, _e989, 0f)), (_e847.member.member_1 - vec4<f32>(_e1020, _e1024, _e1028, 0f))), _e1151));
+                                            let _e1151 = phi_4356_;
+                                            phi_4360_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e1029, (_e851.member.member.x + _e981), _e1034, (_e851.member.member_1.x - _e1020)), vec4<f32>(_e1030, (_e851.member.member.y + _e985), _e1035, (_e851.member.member_1.y - _e1024)), vec4<f32>(_e1031, (_e851.member.member.z + _e989), _e1036, (_e851.member.member_1.z - _e1028))), type_57(type_37((_e851.member.member + vec4<f32>(_e959, _e968, _e977, 0f)), (_e851.member.member_1 - vec4<f32>(_e998, _e1007, _e1016, 0f))), _e1126), type_57(type_37((_e851.member.member + vec4<f32>(_e981, _e985, _e989, 0f)), (_e851.member.member_1 - vec4<f32>(_e1020, _e1024, _e1028, 0f))), _e1151));
                                         }
-                                        let _e1156 = phi_4241_;
+                                        let _e1156 = phi_4360_;
                                         let _e1168 = ((_e1156.member[0].x - _e516) * _e521);
                                         let _e1169 = ((_e1156.member[0].y - _e516) * _e521);
                                         let _e1170 = ((_e1156.member[0].z - _e517) * _e521);
@@ -1897,188 +1897,188 @@ fn function_() {
                                         if _e1256 {
                                             if _e1257 {
                                                 if _e1258 {
-                                                    phi_4585_ = _e1156.member_2;
+                                                    phi_4722_ = _e1156.member_2;
                                                 } else {
-                                                    phi_4585_ = _e1156.member_1;
+                                                    phi_4722_ = _e1156.member_1;
                                                 }
-                                                let _e1262 = phi_4585_;
-                                                let _e1284 = (_e851 % 128u);
+                                                let _e1262 = phi_4722_;
+                                                let _e1284 = (_e849 % 128u);
                                                 let _e1285 = (_e1284 < 128u);
                                                 if _e1285 {
                                                 } else {
-                                                    phi_5369_ = true;
+                                                    phi_5509_ = true;
                                                     break;
                                                 }
                                                 local_8[_e1284] = _e1262.member_1;
                                                 if _e1285 {
                                                 } else {
-                                                    phi_5369_ = true;
+                                                    phi_5509_ = true;
                                                     break;
                                                 }
                                                 local_7[_e1284] = _e1262.member.member.x;
                                                 if _e1285 {
                                                 } else {
-                                                    phi_5369_ = true;
+                                                    phi_5509_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1284] = _e1262.member.member.y;
                                                 if _e1285 {
                                                 } else {
-                                                    phi_5369_ = true;
+                                                    phi_5509_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1284] = _e1262.member.member.z;
                                                 if _e1285 {
                                                 } else {
-                                                    phi_5369_ = true;
+                                                    phi_5509_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1284] = _e1262.member.member_1.x;
                                                 if _e1285 {
                                                 } else {
-                                                    phi_5369_ = true;
+                                                    phi_5509_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1284] = _e1262.member.member_1.y;
                                                 if _e1285 {
                                                 } else {
-                                                    phi_5369_ = true;
+                                                    phi_5509_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1284] = _e1262.member.member_1.z;
                                                 if _e1285 {
                                                 } else {
-                                                    phi_5369_ = true;
+                                                    phi_5509_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1284] = select(_e1251, _e1249, (_e1249 > _e1251));
+                                                local_9[_e1284] = select(_e1251, _e1249, !(_e1258));
                                                 if _e1258 {
-                                                    phi_4662_ = _e1156.member_1;
+                                                    phi_4799_ = _e1156.member_1;
                                                 } else {
-                                                    phi_4662_ = _e1156.member_2;
+                                                    phi_4799_ = _e1156.member_2;
                                                 }
-                                                let _e1298 = phi_4662_;
-                                                phi_4663_ = _e1298;
-                                                phi_4664_ = (_e851 + 1u);
+                                                let _e1298 = phi_4799_;
+                                                phi_4800_ = (_e849 + 1u);
+                                                phi_4801_ = _e1298;
                                             } else {
-                                                phi_4663_ = type_57();
-                                                phi_4664_ = u32();
+                                                phi_4800_ = u32();
+                                                phi_4801_ = type_57();
                                             }
-                                            let _e1300 = phi_4663_;
-                                            let _e1302 = phi_4664_;
-                                            phi_4666_ = _e1300;
-                                            phi_4667_ = _e1302;
-                                            phi_4668_ = select(true, false, _e1257);
+                                            let _e1300 = phi_4800_;
+                                            let _e1302 = phi_4801_;
+                                            phi_4803_ = _e1300;
+                                            phi_4804_ = _e1302;
+                                            phi_4805_ = select(true, false, _e1257);
                                         } else {
-                                            phi_4666_ = type_57();
-                                            phi_4667_ = u32();
-                                            phi_4668_ = true;
+                                            phi_4803_ = u32();
+                                            phi_4804_ = type_57();
+                                            phi_4805_ = true;
                                         }
-                                        let _e1305 = phi_4666_;
-                                        let _e1307 = phi_4667_;
-                                        let _e1309 = phi_4668_;
+                                        let _e1305 = phi_4803_;
+                                        let _e1307 = phi_4804_;
+                                        let _e1309 = phi_4805_;
                                         if _e1309 {
                                             if _e1256 {
-                                                phi_4677_ = _e1156.member_1;
+                                                phi_4814_ = _e1156.member_1;
                                             } else {
-                                                phi_4677_ = _e1156.member_2;
+                                                phi_4814_ = _e1156.member_2;
                                             }
-                                            let _e1313 = phi_4677_;
-                                            phi_4682_ = _e1313;
-                                            phi_4683_ = select(_e1257, true, _e1256);
+                                            let _e1313 = phi_4814_;
+                                            phi_4819_ = select(_e1257, true, _e1256);
+                                            phi_4821_ = _e1313;
                                         } else {
-                                            phi_4682_ = _e1305;
-                                            phi_4683_ = _e849;
+                                            phi_4819_ = _e847;
+                                            phi_4821_ = _e1307;
                                         }
-                                        let _e1316 = phi_4682_;
-                                        let _e1318 = phi_4683_;
-                                        phi_5373_ = _e806;
-                                        phi_4685_ = _e808;
-                                        phi_4686_ = _e1316;
-                                        phi_4687_ = _e1318;
-                                        phi_4688_ = select(_e1307, _e851, _e1309);
+                                        let _e1316 = phi_4819_;
+                                        let _e1318 = phi_4821_;
+                                        phi_5513_ = _e806;
+                                        phi_4825_ = _e808;
+                                        phi_4826_ = _e1316;
+                                        phi_4827_ = select(_e1305, _e849, _e1309);
+                                        phi_4828_ = _e1318;
                                     }
-                                    let _e2486 = phi_5373_;
-                                    let _e2488 = phi_4685_;
-                                    let _e2490 = phi_4686_;
-                                    let _e2492 = phi_4687_;
-                                    let _e2494 = phi_4688_;
-                                    phi_5372_ = _e2486;
-                                    phi_4689_ = _e2488;
-                                    phi_4690_ = _e2490;
-                                    phi_4691_ = (_e812 - 1u);
-                                    phi_4692_ = _e2492;
-                                    phi_4693_ = _e2494;
+                                    let _e2486 = phi_5513_;
+                                    let _e2488 = phi_4825_;
+                                    let _e2490 = phi_4826_;
+                                    let _e2492 = phi_4827_;
+                                    let _e2494 = phi_4828_;
+                                    phi_5512_ = _e2486;
+                                    phi_4829_ = _e2488;
+                                    phi_4830_ = _e2490;
+                                    phi_4831_ = (_e812 - 1u);
+                                    phi_4832_ = _e2492;
+                                    phi_4833_ = _e2494;
                                 } else {
-                                    phi_5372_ = _e806;
-                                    phi_4689_ = _e808;
-                                    phi_4690_ = _e847;
-                                    phi_4691_ = _e812;
-                                    phi_4692_ = _e849;
-                                    phi_4693_ = _e851;
+                                    phi_5512_ = _e806;
+                                    phi_4829_ = _e808;
+                                    phi_4830_ = _e847;
+                                    phi_4831_ = _e812;
+                                    phi_4832_ = _e849;
+                                    phi_4833_ = _e851;
                                 }
-                                let _e2496 = phi_5372_;
-                                let _e2498 = phi_4689_;
-                                let _e2500 = phi_4690_;
-                                let _e2502 = phi_4691_;
-                                let _e2504 = phi_4692_;
-                                let _e2506 = phi_4693_;
-                                phi_5371_ = _e2496;
-                                phi_4694_ = _e2498;
-                                phi_4695_ = _e2500;
-                                phi_4696_ = _e2502;
-                                phi_4697_ = _e2504;
-                                phi_4698_ = _e2506;
+                                let _e2496 = phi_5512_;
+                                let _e2498 = phi_4829_;
+                                let _e2500 = phi_4830_;
+                                let _e2502 = phi_4831_;
+                                let _e2504 = phi_4832_;
+                                let _e2506 = phi_4833_;
+                                phi_5511_ = _e2496;
+                                phi_4834_ = _e2498;
+                                phi_4835_ = _e2500;
+                                phi_4836_ = _e2502;
+                                phi_4837_ = _e2504;
+                                phi_4838_ = _e2506;
                             } else {
-                                phi_5371_ = _e806;
-                                phi_4694_ = type_42();
-                                phi_4695_ = type_57();
-                                phi_4696_ = u32();
-                                phi_4697_ = bool();
-                                phi_4698_ = u32();
+                                phi_5511_ = _e806;
+                                phi_4834_ = type_43();
+                                phi_4835_ = bool();
+                                phi_4836_ = u32();
+                                phi_4837_ = u32();
+                                phi_4838_ = type_57();
                             }
-                            let _e2508 = phi_5371_;
-                            let _e2510 = phi_4694_;
-                            let _e2512 = phi_4695_;
-                            let _e2514 = phi_4696_;
-                            let _e2516 = phi_4697_;
-                            let _e2518 = phi_4698_;
-                            phi_5370_ = _e2508;
-                            phi_1385_ = _e2510;
-                            phi_1388_ = _e2512;
-                            phi_1390_ = _e2514;
-                            phi_1392_ = _e2516;
-                            phi_1394_ = _e2518;
-                            phi_4699_ = _e820;
+                            let _e2508 = phi_5511_;
+                            let _e2510 = phi_4834_;
+                            let _e2512 = phi_4835_;
+                            let _e2514 = phi_4836_;
+                            let _e2516 = phi_4837_;
+                            let _e2518 = phi_4838_;
+                            phi_5510_ = _e2508;
+                            phi_1402_ = _e2510;
+                            phi_1405_ = _e2512;
+                            phi_1407_ = _e2514;
+                            phi_1409_ = _e2516;
+                            phi_1411_ = _e2518;
+                            phi_4839_ = _e820;
                         } else {
-                            phi_5370_ = _e806;
-                            phi_1385_ = type_42();
-                            phi_1388_ = type_57();
-                            phi_1390_ = u32();
-                            phi_1392_ = bool();
-                            phi_1394_ = u32();
-                            phi_4699_ = false;
+                            phi_5510_ = _e806;
+                            phi_1402_ = type_43();
+                            phi_1405_ = bool();
+                            phi_1407_ = u32();
+                            phi_1409_ = u32();
+                            phi_1411_ = type_57();
+                            phi_4839_ = false;
                         }
-                        let _e2520 = phi_5370_;
-                        let _e2522 = phi_1385_;
-                        let _e2524 = phi_1388_;
-                        let _e2526 = phi_1390_;
-                        let _e2528 = phi_1392_;
-                        let _e2530 = phi_1394_;
-                        let _e2532 = phi_4699_;
+                        let _e2520 = phi_5510_;
+                        let _e2522 = phi_1402_;
+                        let _e2524 = phi_1405_;
+                        let _e2526 = phi_1407_;
+                        let _e2528 = phi_1409_;
+                        let _e2530 = phi_1411_;
+                        let _e2532 = phi_4839_;
                         continue;
                         continuing {
-                            phi_5136_ = _e2520;
-                            phi_1384_ = _e2522;
-                            phi_1387_ = _e2524;
-                            phi_1389_ = _e2526;
-                            phi_1391_ = _e2528;
-                            phi_1393_ = _e2530;
-                            phi_5369_ = _e2520;
+                            phi_5276_ = _e2520;
+                            phi_1401_ = _e2522;
+                            phi_1404_ = _e2524;
+                            phi_1406_ = _e2526;
+                            phi_1408_ = _e2528;
+                            phi_1410_ = _e2530;
+                            phi_5509_ = _e2520;
                             break if !(_e2532);
                         }
                     }
-                    let _e2535 = phi_5369_;
+                    let _e2535 = phi_5509_;
                     if _e2535 {
                         break;
                     }
@@ -2088,110 +2088,110 @@ fn function_() {
                         let _e2546 = (bitcast<i32>((_e2542 >> bitcast<u32>(23i))) & 255i);
                         let _e2547 = (_e2546 + _e433);
                         if (_e2546 == 255i) {
-                            phi_4758_ = _e2537.member.member;
+                            phi_4898_ = _e2537.member.member;
                         } else {
                             if (_e2546 > 0i) {
                                 if (_e2547 > 0i) {
                                     let _e2551 = (_e2547 < 255i);
                                     if _e2551 {
-                                        phi_4737_ = bitcast<f32>((_e2542 + bitcast<u32>((_e433 << bitcast<u32>(23i)))));
+                                        phi_4877_ = bitcast<f32>((_e2542 + bitcast<u32>((_e433 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4737_ = f32();
+                                        phi_4877_ = f32();
                                     }
-                                    let _e2558 = phi_4737_;
-                                    phi_4739_ = _e2558;
-                                    phi_4740_ = select(true, false, _e2551);
+                                    let _e2558 = phi_4877_;
+                                    phi_4879_ = _e2558;
+                                    phi_4880_ = select(true, false, _e2551);
                                 } else {
-                                    phi_4739_ = f32();
-                                    phi_4740_ = true;
+                                    phi_4879_ = f32();
+                                    phi_4880_ = true;
                                 }
-                                let _e2561 = phi_4739_;
-                                let _e2563 = phi_4740_;
-                                phi_4741_ = _e2561;
-                                phi_4742_ = _e2563;
+                                let _e2561 = phi_4879_;
+                                let _e2563 = phi_4880_;
+                                phi_4881_ = _e2561;
+                                phi_4882_ = _e2563;
                             } else {
-                                phi_4741_ = f32();
-                                phi_4742_ = true;
+                                phi_4881_ = f32();
+                                phi_4882_ = true;
                             }
-                            let _e2565 = phi_4741_;
-                            let _e2567 = phi_4742_;
+                            let _e2565 = phi_4881_;
+                            let _e2567 = phi_4882_;
                             if _e2567 {
                                 let _e2568 = (_e2542 & 2147483648u);
                                 let _e2575 = ((_e2542 & 8388607u) | (select(0u, 1u, ((_e2542 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                 let _e2579 = (_e2575 == 0u);
                                 if _e2579 {
-                                    phi_5088_ = bitcast<f32>(_e2568);
+                                    phi_5228_ = bitcast<f32>(_e2568);
                                 } else {
                                     let _e2584 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2575)), 32u, _e2579) - 8u);
                                     let _e2587 = (_e2575 << bitcast<u32>((_e2584 & 31u)));
                                     let _e2589 = ((_e2547 + select(0i, 1i, (_e2546 == 0i))) - bitcast<i32>(_e2584));
                                     if (_e2589 >= 255i) {
-                                        phi_5078_ = bitcast<f32>((_e2568 | 2139095040u));
-                                        phi_5079_ = f32();
-                                        phi_5080_ = true;
+                                        phi_5218_ = bitcast<f32>((_e2568 | 2139095040u));
+                                        phi_5219_ = f32();
+                                        phi_5220_ = true;
                                     } else {
                                         let _e2591 = (_e2589 > 0i);
                                         if _e2591 {
-                                            phi_5072_ = bitcast<f32>(((_e2568 | (bitcast<u32>(_e2589) << bitcast<u32>(23i))) | (_e2587 & 8388607u)));
-                                            phi_5073_ = f32();
+                                            phi_5212_ = bitcast<f32>(((_e2568 | (bitcast<u32>(_e2589) << bitcast<u32>(23i))) | (_e2587 & 8388607u)));
+                                            phi_5213_ = f32();
                                         } else {
                                             if (_e2589 < -24i) {
-                                                phi_5038_ = 26u;
+                                                phi_5178_ = 26u;
                                             } else {
-                                                phi_5038_ = bitcast<u32>((1i - _e2589));
+                                                phi_5178_ = bitcast<u32>((1i - _e2589));
                                             }
-                                            let _e2596 = phi_5038_;
+                                            let _e2596 = phi_5178_;
                                             let _e2597 = (_e2596 & 31u);
                                             let _e2599 = (_e2587 >> bitcast<u32>(_e2597));
                                             let _e2603 = (_e2587 & ((1u << bitcast<u32>(_e2597)) - 1u));
                                             let _e2607 = (1u << bitcast<u32>(((_e2596 - 1u) & 31u)));
                                             if (_e2603 > _e2607) {
-                                                phi_5059_ = true;
+                                                phi_5199_ = true;
                                             } else {
                                                 if (_e2603 == _e2607) {
-                                                    phi_5056_ = ((_e2599 & 1u) == 1u);
+                                                    phi_5196_ = ((_e2599 & 1u) == 1u);
                                                 } else {
-                                                    phi_5056_ = false;
+                                                    phi_5196_ = false;
                                                 }
-                                                let _e2613 = phi_5056_;
-                                                phi_5059_ = _e2613;
+                                                let _e2613 = phi_5196_;
+                                                phi_5199_ = _e2613;
                                             }
-                                            let _e2615 = phi_5059_;
-                                            phi_5072_ = f32();
-                                            phi_5073_ = bitcast<f32>((_e2568 | (_e2599 + select(0u, 1u, _e2615))));
+                                            let _e2615 = phi_5199_;
+                                            phi_5212_ = f32();
+                                            phi_5213_ = bitcast<f32>((_e2568 | (_e2599 + select(0u, 1u, _e2615))));
                                         }
-                                        let _e2628 = phi_5072_;
-                                        let _e2630 = phi_5073_;
-                                        phi_5078_ = _e2628;
-                                        phi_5079_ = _e2630;
-                                        phi_5080_ = _e2591;
+                                        let _e2628 = phi_5212_;
+                                        let _e2630 = phi_5213_;
+                                        phi_5218_ = _e2628;
+                                        phi_5219_ = _e2630;
+                                        phi_5220_ = _e2591;
                                     }
-                                    let _e2634 = phi_5078_;
-                                    let _e2636 = phi_5079_;
-                                    let _e2638 = phi_5080_;
-                                    phi_5088_ = select(_e2636, _e2634, _e2638);
+                                    let _e2634 = phi_5218_;
+                                    let _e2636 = phi_5219_;
+                                    let _e2638 = phi_5220_;
+                                    phi_5228_ = select(_e2636, _e2634, _e2638);
                                 }
-                                let _e2642 = phi_5088_;
-                                phi_4757_ = _e2642;
+                                let _e2642 = phi_5228_;
+                                phi_4897_ = _e2642;
                             } else {
-                                phi_4757_ = _e2565;
+                                phi_4897_ = _e2565;
                             }
-                            let _e2644 = phi_4757_;
-                            phi_4758_ = _e2644;
+                            let _e2644 = phi_4897_;
+                            phi_4898_ = _e2644;
                         }
-                        let _e2646 = phi_4758_;
+                        let _e2646 = phi_4898_;
                         let _e2647 = bitcast<u32>(_e2646);
                         if ((_e2647 & 2147483647u) >= 2139095040u) {
-                            phi_4770_ = bitcast<f32>(((_e2647 & 2147483648u) | 2139095039u));
+                            phi_4910_ = bitcast<f32>(((_e2647 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4770_ = _e2646;
+                            phi_4910_ = _e2646;
                         }
-                        let _e2654 = phi_4770_;
-                        phi_4775_ = type_25(_e2654, _e2537.member.member_1, _e2537.member.member_2, _e2537.member.member_3);
+                        let _e2654 = phi_4910_;
+                        phi_4915_ = type_25(_e2654, _e2537.member.member_1, _e2537.member.member_2, _e2537.member.member_3);
                     } else {
-                        phi_4775_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4915_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2659 = phi_4775_;
+                    let _e2659 = phi_4915_;
                     if _e310 {
                     } else {
                         break;

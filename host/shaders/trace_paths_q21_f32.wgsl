@@ -62,7 +62,7 @@ struct type_40 {
     member_3: array<u32, 3>,
 }
 
-struct type_43 {
+struct type_44 {
     member: type_26,
     member_1: f32,
 }
@@ -127,176 +127,176 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_410_: u32;
-    var phi_454_: i32;
-    var phi_594_: type_40;
-    var phi_700_: i32;
-    var phi_701_: i32;
-    var phi_711_: bool;
-    var phi_721_: u32;
-    var phi_722_: u32;
-    var phi_724_: bool;
-    var phi_729_: u32;
-    var phi_761_: i32;
-    var phi_779_: f32;
-    var phi_785_: f32;
-    var phi_825_: f32;
-    var phi_831_: f32;
-    var phi_883_: f32;
-    var phi_894_: f32;
-    var phi_903_: f32;
-    var phi_909_: f32;
-    var phi_949_: f32;
-    var phi_955_: f32;
-    var phi_1007_: f32;
-    var phi_1018_: f32;
+    var phi_416_: u32;
+    var phi_460_: i32;
+    var phi_600_: type_40;
+    var phi_706_: i32;
+    var phi_707_: i32;
+    var phi_717_: bool;
+    var phi_727_: u32;
+    var phi_728_: u32;
+    var phi_730_: bool;
+    var phi_735_: u32;
+    var phi_768_: i32;
+    var phi_786_: f32;
+    var phi_792_: f32;
+    var phi_832_: f32;
+    var phi_838_: f32;
+    var phi_890_: f32;
+    var phi_902_: f32;
+    var phi_911_: f32;
+    var phi_917_: f32;
+    var phi_957_: f32;
+    var phi_963_: f32;
+    var phi_1015_: f32;
     var phi_1027_: f32;
-    var phi_1033_: f32;
-    var phi_1073_: f32;
-    var phi_1079_: f32;
-    var phi_1131_: f32;
-    var phi_1142_: f32;
-    var phi_1197_: i32;
-    var phi_1219_: u32;
-    var phi_1220_: u32;
-    var phi_1257_: i32;
-    var phi_1279_: u32;
-    var phi_1280_: u32;
-    var phi_1288_: f32;
-    var phi_1289_: f32;
-    var phi_4493_: bool;
-    var phi_1378_: type_43;
-    var phi_1381_: type_62;
-    var phi_1383_: u32;
-    var phi_1385_: bool;
-    var phi_1387_: u32;
+    var phi_1036_: f32;
+    var phi_1042_: f32;
+    var phi_1082_: f32;
+    var phi_1088_: f32;
+    var phi_1140_: f32;
+    var phi_1152_: f32;
+    var phi_1207_: i32;
+    var phi_1229_: u32;
+    var phi_1230_: u32;
+    var phi_1267_: i32;
+    var phi_1289_: u32;
+    var phi_1290_: u32;
+    var phi_1298_: f32;
+    var phi_1299_: f32;
+    var phi_4609_: bool;
+    var phi_1395_: type_44;
     var phi_1398_: bool;
-    var phi_1484_: type_62;
-    var phi_1485_: bool;
-    var phi_1486_: u32;
-    var phi_3559_: u32;
-    var phi_3560_: u32;
-    var phi_3570_: u32;
-    var phi_3572_: u32;
-    var phi_3573_: bool;
-    var phi_3593_: u32;
-    var phi_3594_: u32;
-    var phi_3598_: type_63;
-    var phi_3942_: type_62;
-    var phi_4019_: type_62;
-    var phi_4020_: type_62;
-    var phi_4021_: u32;
-    var phi_4023_: type_62;
-    var phi_4024_: u32;
-    var phi_4025_: bool;
-    var phi_4034_: type_62;
-    var phi_4039_: type_62;
-    var phi_4040_: bool;
-    var phi_1504_: type_43;
-    var phi_1507_: type_8;
-    var phi_1508_: type_8;
-    var phi_1530_: type_8;
-    var phi_1551_: u32;
-    var phi_1640_: array<array<f32, 3>, 3>;
-    var phi_1757_: bool;
-    var phi_1786_: bool;
-    var phi_2187_: f32;
-    var phi_2188_: f32;
-    var phi_2189_: f32;
-    var phi_2190_: f32;
-    var phi_2191_: vec3<f32>;
-    var phi_2192_: vec3<f32>;
-    var phi_2193_: vec3<f32>;
-    var phi_2194_: vec3<f32>;
-    var phi_2225_: bool;
-    var phi_2234_: vec3<f32>;
-    var phi_2399_: f32;
-    var phi_2401_: f32;
-    var phi_2402_: bool;
-    var phi_2422_: f32;
-    var phi_2423_: f32;
-    var phi_2446_: type_26;
-    var phi_2448_: type_26;
-    var phi_2449_: bool;
-    var phi_2453_: type_26;
-    var phi_2454_: type_26;
-    var phi_2455_: type_26;
-    var phi_2456_: bool;
-    var phi_2460_: type_26;
-    var phi_2461_: bool;
-    var phi_2462_: type_26;
-    var phi_2463_: bool;
-    var phi_2464_: bool;
-    var phi_2465_: type_26;
-    var phi_2466_: bool;
-    var phi_2467_: bool;
-    var phi_2475_: type_26;
-    var phi_2476_: bool;
-    var phi_2480_: type_26;
-    var phi_2503_: u32;
-    var phi_2517_: i32;
-    var phi_2537_: vec3<f32>;
-    var phi_2538_: vec3<f32>;
-    var phi_2554_: vec3<f32>;
-    var phi_2555_: vec3<f32>;
-    var phi_2571_: vec3<f32>;
-    var phi_2572_: vec3<f32>;
-    var phi_2608_: vec3<f32>;
-    var phi_2790_: f32;
-    var phi_2808_: bool;
-    var phi_2809_: bool;
-    var phi_2828_: bool;
-    var phi_2829_: bool;
-    var phi_2835_: type_43;
-    var phi_2836_: type_43;
-    var phi_2837_: type_43;
-    var phi_1505_: type_43;
-    var phi_4487_: bool;
-    var phi_4683_: bool;
-    var phi_4042_: type_43;
-    var phi_4043_: type_62;
-    var phi_4044_: bool;
-    var phi_4045_: u32;
-    var phi_4682_: bool;
-    var phi_4046_: type_43;
-    var phi_4047_: type_62;
-    var phi_4048_: u32;
-    var phi_4049_: bool;
-    var phi_4050_: u32;
-    var phi_4681_: bool;
-    var phi_4051_: type_43;
-    var phi_4052_: type_62;
-    var phi_4053_: u32;
-    var phi_4054_: bool;
-    var phi_4055_: u32;
-    var phi_4680_: bool;
-    var phi_1379_: type_43;
-    var phi_1382_: type_62;
-    var phi_1384_: u32;
-    var phi_1386_: bool;
-    var phi_1388_: u32;
-    var phi_4056_: bool;
-    var phi_4679_: bool;
-    var local_10: type_43;
-    var phi_4094_: f32;
-    var phi_4096_: f32;
-    var phi_4097_: bool;
-    var phi_4098_: f32;
-    var phi_4099_: bool;
-    var phi_4395_: u32;
-    var phi_4413_: bool;
-    var phi_4416_: bool;
-    var phi_4429_: f32;
-    var phi_4430_: f32;
-    var phi_4435_: f32;
-    var phi_4436_: f32;
-    var phi_4437_: bool;
-    var phi_4445_: f32;
-    var phi_4114_: f32;
-    var phi_4115_: f32;
-    var phi_4127_: f32;
-    var phi_4132_: type_26;
-    var local_11: type_43;
+    var phi_1400_: u32;
+    var phi_1402_: u32;
+    var phi_1404_: type_62;
+    var phi_1415_: bool;
+    var phi_1501_: bool;
+    var phi_1502_: u32;
+    var phi_1503_: type_62;
+    var phi_3654_: u32;
+    var phi_3655_: u32;
+    var phi_3665_: u32;
+    var phi_3667_: u32;
+    var phi_3668_: bool;
+    var phi_3688_: u32;
+    var phi_3689_: u32;
+    var phi_3693_: type_63;
+    var phi_4055_: type_62;
+    var phi_4132_: type_62;
+    var phi_4133_: u32;
+    var phi_4134_: type_62;
+    var phi_4136_: u32;
+    var phi_4137_: type_62;
+    var phi_4138_: bool;
+    var phi_4147_: type_62;
+    var phi_4152_: bool;
+    var phi_4154_: type_62;
+    var phi_1521_: type_44;
+    var phi_1524_: type_8;
+    var phi_1525_: type_8;
+    var phi_1547_: type_8;
+    var phi_1568_: u32;
+    var phi_1660_: array<array<f32, 3>, 3>;
+    var phi_1812_: bool;
+    var phi_1841_: bool;
+    var phi_2260_: f32;
+    var phi_2261_: f32;
+    var phi_2262_: f32;
+    var phi_2263_: f32;
+    var phi_2264_: vec3<f32>;
+    var phi_2265_: vec3<f32>;
+    var phi_2266_: vec3<f32>;
+    var phi_2267_: vec3<f32>;
+    var phi_2304_: bool;
+    var phi_2313_: vec3<f32>;
+    var phi_2478_: f32;
+    var phi_2480_: f32;
+    var phi_2481_: bool;
+    var phi_2501_: f32;
+    var phi_2502_: f32;
+    var phi_2525_: type_26;
+    var phi_2527_: type_26;
+    var phi_2528_: bool;
+    var phi_2532_: type_26;
+    var phi_2533_: type_26;
+    var phi_2534_: type_26;
+    var phi_2535_: bool;
+    var phi_2539_: type_26;
+    var phi_2540_: bool;
+    var phi_2541_: type_26;
+    var phi_2542_: bool;
+    var phi_2543_: bool;
+    var phi_2544_: type_26;
+    var phi_2545_: bool;
+    var phi_2546_: bool;
+    var phi_2554_: type_26;
+    var phi_2555_: bool;
+    var phi_2559_: type_26;
+    var phi_2582_: u32;
+    var phi_2596_: i32;
+    var phi_2618_: vec3<f32>;
+    var phi_2619_: vec3<f32>;
+    var phi_2637_: vec3<f32>;
+    var phi_2638_: vec3<f32>;
+    var phi_2656_: vec3<f32>;
+    var phi_2657_: vec3<f32>;
+    var phi_2693_: vec3<f32>;
+    var phi_2875_: f32;
+    var phi_2893_: bool;
+    var phi_2894_: bool;
+    var phi_2913_: bool;
+    var phi_2914_: bool;
+    var phi_2920_: type_44;
+    var phi_2921_: type_44;
+    var phi_2922_: type_44;
+    var phi_1522_: type_44;
+    var phi_4603_: bool;
+    var phi_4799_: bool;
+    var phi_4158_: type_44;
+    var phi_4159_: bool;
+    var phi_4160_: u32;
+    var phi_4161_: type_62;
+    var phi_4798_: bool;
+    var phi_4162_: type_44;
+    var phi_4163_: bool;
+    var phi_4164_: u32;
+    var phi_4165_: u32;
+    var phi_4166_: type_62;
+    var phi_4797_: bool;
+    var phi_4167_: type_44;
+    var phi_4168_: bool;
+    var phi_4169_: u32;
+    var phi_4170_: u32;
+    var phi_4171_: type_62;
+    var phi_4796_: bool;
+    var phi_1396_: type_44;
+    var phi_1399_: bool;
+    var phi_1401_: u32;
+    var phi_1403_: u32;
+    var phi_1405_: type_62;
+    var phi_4172_: bool;
+    var phi_4795_: bool;
+    var local_10: type_44;
+    var phi_4210_: f32;
+    var phi_4212_: f32;
+    var phi_4213_: bool;
+    var phi_4214_: f32;
+    var phi_4215_: bool;
+    var phi_4511_: u32;
+    var phi_4529_: bool;
+    var phi_4532_: bool;
+    var phi_4545_: f32;
+    var phi_4546_: f32;
+    var phi_4551_: f32;
+    var phi_4552_: f32;
+    var phi_4553_: bool;
+    var phi_4561_: f32;
+    var phi_4230_: f32;
+    var phi_4231_: f32;
+    var phi_4243_: f32;
+    var phi_4248_: type_26;
+    var local_11: type_44;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -322,11 +322,11 @@ fn function_() {
                     break;
                 }
                 let _e168 = global_7.member[_e149].member_2;
-                phi_410_ = _e168;
+                phi_416_ = _e168;
             } else {
-                phi_410_ = 4294967295u;
+                phi_416_ = 4294967295u;
             }
-            let _e170 = phi_410_;
+            let _e170 = phi_416_;
             let _e173 = global_1.member[0u];
             let _e177 = global_2.member[0u][0u];
             let _e181 = global_2.member[0u][1u];
@@ -343,15 +343,15 @@ fn function_() {
             let _e211 = array<u32, 3>(_e197, _e201, _e205);
             let _e213 = bitcast<i32>(_e173);
             if (_e213 < -126i) {
-                phi_454_ = -126i;
+                phi_460_ = -126i;
             } else {
-                phi_454_ = select(_e213, 127i, (_e213 > 127i));
+                phi_460_ = select(_e213, 127i, (_e213 > 127i));
             }
-            let _e218 = phi_454_;
+            let _e218 = phi_460_;
             let _e223 = bitcast<f32>((bitcast<u32>((_e218 + 127i)) << bitcast<u32>(23i)));
             let _e229 = bitcast<f32>((bitcast<u32>(((_e213 - _e218) + 127i)) << bitcast<u32>(23i)));
             if (_e189 == 0u) {
-                phi_594_ = type_40(array<f32, 3>(_e206, _e207, _e208), _e189, _e210, _e211);
+                phi_600_ = type_40(array<f32, 3>(_e206, _e207, _e208), _e189, _e210, _e211);
             } else {
                 let _e231 = bitcast<u32>(_e206);
                 let _e233 = ((_e231 & 2139095040u) != 0u);
@@ -361,9 +361,9 @@ fn function_() {
                 let _e267 = ((_e265 & 2139095040u) != 0u);
                 let _e283 = bitcast<u32>(_e210);
                 let _e285 = ((_e283 & 2139095040u) != 0u);
-                phi_594_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e231 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e231 & 2147483648u))), _e206, _e233) * _e223) * select(0.00000011920929f, 1f, _e233)) * _e229), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e207, _e250) * _e223) * select(0.00000011920929f, 1f, _e250)) * _e229), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e265 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e265 & 2147483648u))), _e208, _e267) * _e223) * select(0.00000011920929f, 1f, _e267)) * _e229)), _e189, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e283 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e283 & 2147483648u))), _e210, _e285) * _e223) * select(0.00000011920929f, 1f, _e285)) * _e229), _e211);
+                phi_600_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e231 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e231 & 2147483648u))), _e206, _e233) * _e223) * select(0.00000011920929f, 1f, _e233)) * _e229), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e207, _e250) * _e223) * select(0.00000011920929f, 1f, _e250)) * _e229), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e265 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e265 & 2147483648u))), _e208, _e267) * _e223) * select(0.00000011920929f, 1f, _e267)) * _e229)), _e189, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e283 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e283 & 2147483648u))), _e210, _e285) * _e223) * select(0.00000011920929f, 1f, _e285)) * _e229), _e211);
             }
-            let _e302 = phi_594_;
+            let _e302 = phi_600_;
             if _e164 {
                 let _e303 = (_e149 < arrayLength((&global_8.member)));
                 if _e303 {
@@ -398,203 +398,203 @@ fn function_() {
                     if _e386 {
                         let _e389 = (bitcast<u32>(bitcast<f32>(_e359)) & 2147483647u);
                         if (_e389 >= 8388608u) {
-                            phi_700_ = (bitcast<i32>((_e389 >> bitcast<u32>(23i))) - 127i);
+                            phi_706_ = (bitcast<i32>((_e389 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_700_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e389)), 32u, (_e389 == 0u))));
+                            phi_706_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e389)), 32u, (_e389 == 0u))));
                         }
-                        let _e403 = phi_700_;
-                        phi_701_ = _e403;
+                        let _e403 = phi_706_;
+                        phi_707_ = _e403;
                     } else {
-                        phi_701_ = 0i;
+                        phi_707_ = 0i;
                     }
-                    let _e405 = phi_701_;
+                    let _e405 = phi_707_;
                     let _e406 = (_e315 == _e359);
                     if _e406 {
-                        phi_711_ = true;
+                        phi_717_ = true;
                     } else {
-                        phi_711_ = (_e323 == _e359);
+                        phi_717_ = (_e323 == _e359);
                     }
-                    let _e409 = phi_711_;
+                    let _e409 = phi_717_;
                     let _e410 = select(1u, 0u, _e406);
                     if _e409 {
                         let _e411 = (_e410 + 1u);
-                        phi_721_ = _e411;
-                        phi_722_ = _e411;
-                        phi_724_ = select(true, false, (_e411 == 2u));
+                        phi_727_ = _e411;
+                        phi_728_ = _e411;
+                        phi_730_ = select(true, false, (_e411 == 2u));
                     } else {
-                        phi_721_ = u32();
-                        phi_722_ = 0u;
-                        phi_724_ = true;
+                        phi_727_ = u32();
+                        phi_728_ = 0u;
+                        phi_730_ = true;
                     }
-                    let _e415 = phi_721_;
-                    let _e417 = phi_722_;
-                    let _e419 = phi_724_;
+                    let _e415 = phi_727_;
+                    let _e417 = phi_728_;
+                    let _e419 = phi_730_;
                     if _e419 {
-                        phi_729_ = (_e417 + 1u);
+                        phi_735_ = (_e417 + 1u);
                     } else {
-                        phi_729_ = 0u;
+                        phi_735_ = 0u;
                     }
-                    let _e423 = phi_729_;
+                    let _e423 = phi_735_;
                     let _e424 = select(_e415, _e417, _e419);
                     let _e425 = select(_e410, select(2u, _e410, _e409), _e419);
                     let _e426 = -(_e405);
                     if (_e426 < -126i) {
-                        phi_761_ = -126i;
+                        phi_768_ = -126i;
                     } else {
-                        phi_761_ = select(_e426, 127i, (_e426 > 127i));
+                        phi_768_ = select(_e426, 127i, (_e426 > 127i));
                     }
-                    let _e431 = phi_761_;
+                    let _e431 = phi_768_;
                     let _e436 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
                     let _e442 = bitcast<f32>((bitcast<u32>(((_e426 - _e431) + 127i)) << bitcast<u32>(23i)));
                     let _e447 = global_7.member[_e149].member.member;
                     let _e448 = (_e424 == 0u);
                     if _e448 {
-                        phi_779_ = _e447[0];
+                        phi_786_ = _e447[0];
                     } else {
-                        phi_779_ = _e447[1];
+                        phi_786_ = _e447[1];
                     }
-                    let _e452 = phi_779_;
+                    let _e452 = phi_786_;
                     let _e453 = (_e424 == 2u);
                     if _e453 {
-                        phi_785_ = _e447[2];
+                        phi_792_ = _e447[2];
                     } else {
-                        phi_785_ = _e452;
+                        phi_792_ = _e452;
                     }
-                    let _e456 = phi_785_;
+                    let _e456 = phi_792_;
                     let _e457 = bitcast<u32>(_e456);
                     let _e459 = ((_e457 & 2139095040u) != 0u);
                     let _e471 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e457 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e457 & 2147483648u))), _e456, _e459) * select(0.00000011920929f, 1f, _e459));
                     let _e472 = global_7.member[_e149].member.member_2;
                     if _e448 {
-                        phi_825_ = _e472[0];
+                        phi_832_ = _e472[0];
                     } else {
-                        phi_825_ = _e472[1];
+                        phi_832_ = _e472[1];
                     }
-                    let _e476 = phi_825_;
+                    let _e476 = phi_832_;
                     if _e453 {
-                        phi_831_ = _e472[2];
+                        phi_838_ = _e472[2];
                     } else {
-                        phi_831_ = _e476;
+                        phi_838_ = _e476;
                     }
-                    let _e479 = phi_831_;
+                    let _e479 = phi_838_;
                     let _e480 = bitcast<u32>(_e479);
                     let _e482 = ((_e480 & 2139095040u) != 0u);
                     let _e496 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e480 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e480 & 2147483648u))), _e479, _e482) * _e436) * select(0.00000011920929f, 1f, _e482)) * _e442);
                     let _e500 = (bitcast<f32>((bitcast<u32>(_e496) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e500 {
                         let _e504 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) * 0.00000011920929f);
-                        phi_883_ = select(0.00000000000011368684f, _e504, (_e504 > 0.00000000000011368684f));
+                        phi_890_ = select(0.00000000000011368684f, _e504, (_e504 > 0.00000000000011368684f));
                     } else {
-                        phi_883_ = 0f;
+                        phi_890_ = 0f;
                     }
-                    let _e508 = phi_883_;
+                    let _e508 = phi_890_;
                     let _e509 = (_e471 + _e508);
                     let _e510 = (_e471 - _e508);
                     let _e511 = select(_e496, 0f, _e500);
                     if _e500 {
-                        phi_894_ = 38685626000000000000000000f;
+                        phi_902_ = 38685626000000000000000000f;
                     } else {
-                        phi_894_ = (1f / _e496);
+                        phi_902_ = (1f / _e496);
                     }
-                    let _e514 = phi_894_;
+                    let _e514 = phi_902_;
                     let _e515 = (_e423 == 0u);
                     if _e515 {
-                        phi_903_ = _e447[0];
+                        phi_911_ = _e447[0];
                     } else {
-                        phi_903_ = _e447[1];
+                        phi_911_ = _e447[1];
                     }
-                    let _e519 = phi_903_;
+                    let _e519 = phi_911_;
                     let _e520 = (_e423 == 2u);
                     if _e520 {
-                        phi_909_ = _e447[2];
+                        phi_917_ = _e447[2];
                     } else {
-                        phi_909_ = _e519;
+                        phi_917_ = _e519;
                     }
-                    let _e523 = phi_909_;
+                    let _e523 = phi_917_;
                     let _e524 = bitcast<u32>(_e523);
                     let _e526 = ((_e524 & 2139095040u) != 0u);
                     let _e538 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e524 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e524 & 2147483648u))), _e523, _e526) * select(0.00000011920929f, 1f, _e526));
                     if _e515 {
-                        phi_949_ = _e472[0];
+                        phi_957_ = _e472[0];
                     } else {
-                        phi_949_ = _e472[1];
+                        phi_957_ = _e472[1];
                     }
-                    let _e542 = phi_949_;
+                    let _e542 = phi_957_;
                     if _e520 {
-                        phi_955_ = _e472[2];
+                        phi_963_ = _e472[2];
                     } else {
-                        phi_955_ = _e542;
+                        phi_963_ = _e542;
                     }
-                    let _e545 = phi_955_;
+                    let _e545 = phi_963_;
                     let _e546 = bitcast<u32>(_e545);
                     let _e548 = ((_e546 & 2139095040u) != 0u);
                     let _e562 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e546 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e546 & 2147483648u))), _e545, _e548) * _e436) * select(0.00000011920929f, 1f, _e548)) * _e442);
                     let _e566 = (bitcast<f32>((bitcast<u32>(_e562) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e566 {
                         let _e570 = (bitcast<f32>((bitcast<u32>(_e538) & 2147483647u)) * 0.00000011920929f);
-                        phi_1007_ = select(0.00000000000011368684f, _e570, (_e570 > 0.00000000000011368684f));
+                        phi_1015_ = select(0.00000000000011368684f, _e570, (_e570 > 0.00000000000011368684f));
                     } else {
-                        phi_1007_ = 0f;
+                        phi_1015_ = 0f;
                     }
-                    let _e574 = phi_1007_;
+                    let _e574 = phi_1015_;
                     let _e575 = (_e538 + _e574);
                     let _e576 = (_e538 - _e574);
                     let _e577 = select(_e562, 0f, _e566);
                     if _e566 {
-                        phi_1018_ = 38685626000000000000000000f;
+                        phi_1027_ = 38685626000000000000000000f;
                     } else {
-                        phi_1018_ = (1f / _e562);
+                        phi_1027_ = (1f / _e562);
                     }
-                    let _e580 = phi_1018_;
+                    let _e580 = phi_1027_;
                     let _e581 = (_e425 == 0u);
                     if _e581 {
-                        phi_1027_ = _e447[0];
+                        phi_1036_ = _e447[0];
                     } else {
-                        phi_1027_ = _e447[1];
+                        phi_1036_ = _e447[1];
                     }
-                    let _e585 = phi_1027_;
+                    let _e585 = phi_1036_;
                     let _e586 = (_e425 == 2u);
                     if _e586 {
-                        phi_1033_ = _e447[2];
+                        phi_1042_ = _e447[2];
                     } else {
-                        phi_1033_ = _e585;
+                        phi_1042_ = _e585;
                     }
-                    let _e589 = phi_1033_;
+                    let _e589 = phi_1042_;
                     let _e590 = bitcast<u32>(_e589);
                     let _e592 = ((_e590 & 2139095040u) != 0u);
                     let _e604 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e590 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e590 & 2147483648u))), _e589, _e592) * select(0.00000011920929f, 1f, _e592));
                     if _e581 {
-                        phi_1073_ = _e472[0];
+                        phi_1082_ = _e472[0];
                     } else {
-                        phi_1073_ = _e472[1];
+                        phi_1082_ = _e472[1];
                     }
-                    let _e608 = phi_1073_;
+                    let _e608 = phi_1082_;
                     if _e586 {
-                        phi_1079_ = _e472[2];
+                        phi_1088_ = _e472[2];
                     } else {
-                        phi_1079_ = _e608;
+                        phi_1088_ = _e608;
                     }
-                    let _e611 = phi_1079_;
+                    let _e611 = phi_1088_;
                     let _e612 = bitcast<u32>(_e611);
                     let _e614 = ((_e612 & 2139095040u) != 0u);
                     let _e628 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e612 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e612 & 2147483648u))), _e611, _e614) * _e436) * select(0.00000011920929f, 1f, _e614)) * _e442);
                     let _e632 = (bitcast<f32>((bitcast<u32>(_e628) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e632 {
                         let _e636 = (bitcast<f32>((bitcast<u32>(_e604) & 2147483647u)) * 0.00000011920929f);
-                        phi_1131_ = select(0.00000000000011368684f, _e636, (_e636 > 0.00000000000011368684f));
+                        phi_1140_ = select(0.00000000000011368684f, _e636, (_e636 > 0.00000000000011368684f));
                     } else {
-                        phi_1131_ = 0f;
+                        phi_1140_ = 0f;
                     }
-                    let _e640 = phi_1131_;
+                    let _e640 = phi_1140_;
                     let _e641 = (_e604 + _e640);
                     let _e642 = (_e604 - _e640);
                     let _e643 = select(_e628, 0f, _e632);
                     if _e632 {
-                        phi_1142_ = 38685626000000000000000000f;
+                        phi_1152_ = 38685626000000000000000000f;
                     } else {
-                        phi_1142_ = (1f / _e628);
+                        phi_1152_ = (1f / _e628);
                     }
-                    let _e646 = phi_1142_;
+                    let _e646 = phi_1152_;
                     let _e649 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
                     let _e652 = bitcast<f32>((bitcast<u32>(_e538) & 2147483647u));
                     let _e654 = select(_e652, _e649, (_e649 > _e652));
@@ -605,55 +605,55 @@ fn function_() {
                         let _e676 = (_e669 == 0u);
                         let _e679 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e669)), 32u, _e676)) - 8i);
                         if (_e672 == 255i) {
-                            phi_1197_ = 255i;
+                            phi_1207_ = 255i;
                         } else {
-                            phi_1197_ = (((_e672 + select(0i, 1i, (_e672 == 0i))) - _e679) + _e405);
+                            phi_1207_ = (((_e672 + select(0i, 1i, (_e672 == 0i))) - _e679) + _e405);
                         }
-                        let _e687 = phi_1197_;
+                        let _e687 = phi_1207_;
                         let _e697 = (_e687 <= 0i);
                         if _e697 {
-                            phi_1220_ = u32();
+                            phi_1230_ = u32();
                         } else {
                             if _e676 {
-                                phi_1219_ = u32();
+                                phi_1229_ = u32();
                             } else {
-                                phi_1219_ = select(((bitcast<u32>(_e687) << bitcast<u32>(23i)) | ((_e669 << bitcast<u32>(((_e679 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e687 >= 255i));
+                                phi_1229_ = select(((bitcast<u32>(_e687) << bitcast<u32>(23i)) | ((_e669 << bitcast<u32>(((_e679 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e687 >= 255i));
                             }
-                            let _e701 = phi_1219_;
-                            phi_1220_ = _e701;
+                            let _e701 = phi_1229_;
+                            phi_1230_ = _e701;
                         }
-                        let _e703 = phi_1220_;
+                        let _e703 = phi_1230_;
                         let _e715 = ((_e382 & 8388607u) | (select(0u, 1u, ((_e382 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                         let _e718 = bitcast<i32>((_e382 >> bitcast<u32>(23i)));
                         let _e722 = (_e715 == 0u);
                         let _e725 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e715)), 32u, _e722)) - 8i);
                         if (_e718 == 255i) {
-                            phi_1257_ = 255i;
+                            phi_1267_ = 255i;
                         } else {
-                            phi_1257_ = (((_e718 + select(0i, 1i, (_e718 == 0i))) - _e725) + _e405);
+                            phi_1267_ = (((_e718 + select(0i, 1i, (_e718 == 0i))) - _e725) + _e405);
                         }
-                        let _e733 = phi_1257_;
+                        let _e733 = phi_1267_;
                         let _e743 = (_e733 <= 0i);
                         if _e743 {
-                            phi_1280_ = u32();
+                            phi_1290_ = u32();
                         } else {
                             if _e722 {
-                                phi_1279_ = u32();
+                                phi_1289_ = u32();
                             } else {
-                                phi_1279_ = select(((bitcast<u32>(_e733) << bitcast<u32>(23i)) | ((_e715 << bitcast<u32>(((_e725 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e733 >= 255i));
+                                phi_1289_ = select(((bitcast<u32>(_e733) << bitcast<u32>(23i)) | ((_e715 << bitcast<u32>(((_e725 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e733 >= 255i));
                             }
-                            let _e747 = phi_1279_;
-                            phi_1280_ = _e747;
+                            let _e747 = phi_1289_;
+                            phi_1290_ = _e747;
                         }
-                        let _e749 = phi_1280_;
-                        phi_1288_ = bitcast<f32>(((_e381 & 2147483648u) | select(_e749, 0u, select(_e722, true, _e743))));
-                        phi_1289_ = bitcast<f32>(((_e371 & 2147483648u) | select(_e703, 0u, select(_e676, true, _e697))));
+                        let _e749 = phi_1290_;
+                        phi_1298_ = bitcast<f32>(((_e381 & 2147483648u) | select(_e749, 0u, select(_e722, true, _e743))));
+                        phi_1299_ = bitcast<f32>(((_e371 & 2147483648u) | select(_e703, 0u, select(_e676, true, _e697))));
                     } else {
-                        phi_1288_ = 0f;
-                        phi_1289_ = 1f;
+                        phi_1298_ = 0f;
+                        phi_1299_ = 1f;
                     }
-                    let _e755 = phi_1288_;
-                    let _e757 = phi_1289_;
+                    let _e755 = phi_1298_;
+                    let _e757 = phi_1299_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -698,196 +698,196 @@ fn function_() {
                         break;
                     }
                     let _e789 = local[_e773];
-                    phi_4493_ = false;
-                    phi_1378_ = type_43(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e755);
-                    phi_1381_ = type_62(type_38(vec4<f32>((f32(_e764) * _e161), (f32(_e770) * _e161), (f32(_e776) * _e161), 0f), vec4<f32>((f32(_e781) * _e161), (f32(_e785) * _e161), (f32(_e789) * _e161), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
-                    phi_1383_ = ((3u * _e103) + 1u);
-                    phi_1385_ = (_e757 <= _e755);
-                    phi_1387_ = 0u;
+                    phi_4609_ = false;
+                    phi_1395_ = type_44(type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e755);
+                    phi_1398_ = (_e757 <= _e755);
+                    phi_1400_ = ((3u * _e103) + 1u);
+                    phi_1402_ = 0u;
+                    phi_1404_ = type_62(type_38(vec4<f32>((f32(_e764) * _e161), (f32(_e770) * _e161), (f32(_e776) * _e161), 0f), vec4<f32>((f32(_e781) * _e161), (f32(_e785) * _e161), (f32(_e789) * _e161), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
                     loop {
-                        let _e799 = phi_4493_;
-                        let _e801 = phi_1378_;
-                        let _e803 = phi_1381_;
-                        let _e805 = phi_1383_;
-                        let _e807 = phi_1385_;
-                        let _e809 = phi_1387_;
+                        let _e799 = phi_4609_;
+                        let _e801 = phi_1395_;
+                        let _e803 = phi_1398_;
+                        let _e805 = phi_1400_;
+                        let _e807 = phi_1402_;
+                        let _e809 = phi_1404_;
                         local_10 = _e801;
-                        if _e807 {
-                            phi_1398_ = true;
+                        if _e803 {
+                            phi_1415_ = true;
                         } else {
-                            phi_1398_ = (_e809 > 0u);
+                            phi_1415_ = (_e807 > 0u);
                         }
-                        let _e812 = phi_1398_;
+                        let _e812 = phi_1415_;
                         if _e812 {
                             let _e813 = (_e805 > 0u);
                             if _e813 {
-                                if _e807 {
-                                    phi_1484_ = _e803;
-                                    phi_1485_ = _e807;
-                                    phi_1486_ = _e809;
+                                if _e803 {
+                                    phi_1501_ = _e803;
+                                    phi_1502_ = _e807;
+                                    phi_1503_ = _e809;
                                 } else {
-                                    let _e814 = (_e809 - 1u);
+                                    let _e814 = (_e807 - 1u);
                                     let _e815 = (_e814 % 128u);
                                     let _e816 = (_e815 < 128u);
                                     if _e816 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e818 = local_7[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e820 = local_6[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e822 = local_5[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e824 = local_4[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e826 = local_3[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e828 = local_2[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e833 = local_8[_e815];
                                     if _e816 {
                                     } else {
-                                        phi_4679_ = true;
+                                        phi_4795_ = true;
                                         break;
                                     }
                                     let _e836 = local_9[_e815];
-                                    phi_1484_ = type_62(type_38(vec4<f32>(_e818, _e820, _e822, 0f), vec4<f32>(_e824, _e826, _e828, 0f)), _e833);
-                                    phi_1485_ = (_e836 <= _e801.member_1);
-                                    phi_1486_ = _e814;
+                                    phi_1501_ = (_e836 <= _e801.member_1);
+                                    phi_1502_ = _e814;
+                                    phi_1503_ = type_62(type_38(vec4<f32>(_e818, _e820, _e822, 0f), vec4<f32>(_e824, _e826, _e828, 0f)), _e833);
                                 }
-                                let _e840 = phi_1484_;
-                                let _e842 = phi_1485_;
-                                let _e844 = phi_1486_;
-                                if _e842 {
-                                    if ((_e840.member_1 & 2147483648u) != 0u) {
-                                        phi_1504_ = _e801;
-                                        phi_1507_ = type_8(0u, ((_e840.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e840 = phi_1501_;
+                                let _e842 = phi_1502_;
+                                let _e844 = phi_1503_;
+                                if _e840 {
+                                    if ((_e844.member_1 & 2147483648u) != 0u) {
+                                        phi_1521_ = _e801;
+                                        phi_1524_ = type_8(0u, ((_e844.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1312 = phi_1504_;
-                                            let _e1314 = phi_1507_;
+                                            let _e1312 = phi_1521_;
+                                            let _e1314 = phi_1524_;
                                             local_11 = _e1312;
                                             if (_e1314.member < _e1314.member_1) {
-                                                phi_1508_ = type_8((_e1314.member + 1u), _e1314.member_1);
-                                                phi_1530_ = type_8(1u, _e1314.member);
+                                                phi_1525_ = type_8((_e1314.member + 1u), _e1314.member_1);
+                                                phi_1547_ = type_8(1u, _e1314.member);
                                             } else {
-                                                phi_1508_ = _e1314;
-                                                phi_1530_ = type_8(0u, type_8().member_1);
+                                                phi_1525_ = _e1314;
+                                                phi_1547_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1327 = phi_1508_;
-                                            let _e1329 = phi_1530_;
+                                            let _e1327 = phi_1525_;
+                                            let _e1329 = phi_1547_;
                                             let _e1333 = (bitcast<i32>(_e1329.member) != 0i);
                                             if _e1333 {
-                                                let _e1334 = ((_e840.member_1 & 268435455u) + _e1329.member_1);
+                                                let _e1334 = ((_e844.member_1 & 268435455u) + _e1329.member_1);
                                                 let _e1335 = (_e1334 < _e105);
                                                 if _e1335 {
                                                     if _e1335 {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1339 = global_4.member[_e1334].member_1;
-                                                    phi_1551_ = _e1339;
+                                                    phi_1568_ = _e1339;
                                                 } else {
-                                                    phi_1551_ = 4294967295u;
+                                                    phi_1568_ = 4294967295u;
                                                 }
-                                                let _e1341 = phi_1551_;
+                                                let _e1341 = phi_1568_;
                                                 if (_e1334 >= _e105) {
-                                                    phi_1640_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e1335 {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     if (_e761 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1348 = global_4.member[_e1334].member[_e761];
                                                     if (_e767 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1354 = global_4.member[_e1334].member[_e767];
                                                     if (_e773 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1360 = global_4.member[_e1334].member[_e773];
                                                     let _e1362 = (3u + _e761);
                                                     if (_e1362 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1368 = global_4.member[_e1334].member[_e1362];
                                                     let _e1369 = (3u + _e767);
                                                     if (_e1369 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1375 = global_4.member[_e1334].member[_e1369];
                                                     let _e1376 = (3u + _e773);
                                                     if (_e1376 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1382 = global_4.member[_e1334].member[_e1376];
                                                     let _e1384 = (6u + _e761);
                                                     if (_e1384 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1390 = global_4.member[_e1334].member[_e1384];
                                                     let _e1391 = (6u + _e767);
                                                     if (_e1391 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1397 = global_4.member[_e1334].member[_e1391];
                                                     let _e1398 = (6u + _e773);
                                                     if (_e1398 < 9u) {
                                                     } else {
-                                                        phi_4487_ = true;
+                                                        phi_4603_ = true;
                                                         break;
                                                     }
                                                     let _e1404 = global_4.member[_e1334].member[_e1398];
-                                                    phi_1640_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1348, _e1354, _e1360), array<f32, 3>(_e1368, _e1375, _e1382), array<f32, 3>(_e1390, _e1397, _e1404));
+                                                    phi_1660_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1348, _e1354, _e1360), array<f32, 3>(_e1368, _e1375, _e1382), array<f32, 3>(_e1390, _e1397, _e1404));
                                                 }
-                                                let _e1408 = phi_1640_;
+                                                let _e1408 = phi_1660_;
                                                 let _e1416 = (_e1408[0][2] - _e604);
                                                 let _e1419 = (((_e1408[0][0] - _e471) * _e643) - (_e1416 * _e511));
                                                 let _e1422 = (((_e1408[0][1] - _e538) * _e643) - (_e1416 * _e577));
@@ -914,34 +914,34 @@ fn function_() {
                                                     let _e1478 = select(0f, _e1476, (_e1476 > 0f));
                                                     let _e1480 = ((_e1470 + _e1474) + _e1478);
                                                     if (_e1480 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2465_ = type_26();
-                                                        phi_2466_ = true;
-                                                        phi_2467_ = false;
+                                                        phi_2544_ = type_26();
+                                                        phi_2545_ = true;
+                                                        phi_2546_ = false;
                                                     } else {
                                                         let _e1483 = select(_e1432, _e1419, (_e1419 < _e1432));
                                                         if (select(_e1445, _e1483, (_e1483 < _e1445)) > 0f) {
-                                                            phi_1757_ = true;
+                                                            phi_1812_ = true;
                                                         } else {
                                                             let _e1488 = select(_e1432, _e1419, (_e1419 > _e1432));
-                                                            phi_1757_ = (select(_e1445, _e1488, (_e1488 > _e1445)) < 0f);
+                                                            phi_1812_ = (select(_e1445, _e1488, (_e1488 > _e1445)) < 0f);
                                                         }
-                                                        let _e1493 = phi_1757_;
+                                                        let _e1493 = phi_1812_;
                                                         if _e1493 {
-                                                            phi_2462_ = type_26();
-                                                            phi_2463_ = true;
-                                                            phi_2464_ = false;
+                                                            phi_2541_ = type_26();
+                                                            phi_2542_ = true;
+                                                            phi_2543_ = false;
                                                         } else {
                                                             let _e1495 = select(_e1435, _e1422, (_e1422 < _e1435));
                                                             if (select(_e1448, _e1495, (_e1495 < _e1448)) > 0f) {
-                                                                phi_1786_ = true;
+                                                                phi_1841_ = true;
                                                             } else {
                                                                 let _e1500 = select(_e1435, _e1422, (_e1422 > _e1435));
-                                                                phi_1786_ = (select(_e1448, _e1500, (_e1500 > _e1448)) < 0f);
+                                                                phi_1841_ = (select(_e1448, _e1500, (_e1500 > _e1448)) < 0f);
                                                             }
-                                                            let _e1505 = phi_1786_;
+                                                            let _e1505 = phi_1841_;
                                                             if _e1505 {
-                                                                phi_2460_ = type_26();
-                                                                phi_2461_ = false;
+                                                                phi_2539_ = type_26();
+                                                                phi_2540_ = false;
                                                             } else {
                                                                 let _e1507 = select(_e1408[1][0], _e1408[0][0], (_e1408[0][0] < _e1408[1][0]));
                                                                 let _e1511 = select(_e1408[1][0], _e1408[0][0], (_e1408[0][0] > _e1408[1][0]));
@@ -968,12 +968,12 @@ fn function_() {
                                                                 let _e1562 = -(_e1543);
                                                                 let _e1568 = select(_e757, _e1553, (_e1553 > _e757));
                                                                 if (_e1568 > (_e1561 + (select(_e1562, _e1545, (_e1545 > _e1562)) * 0.0000019073523f))) {
-                                                                    phi_2455_ = type_26();
-                                                                    phi_2456_ = true;
+                                                                    phi_2534_ = type_26();
+                                                                    phi_2535_ = true;
                                                                 } else {
                                                                     let _e1570 = (_e1568 > _e1312.member_1);
                                                                     if _e1570 {
-                                                                        phi_2454_ = type_26();
+                                                                        phi_2533_ = type_26();
                                                                     } else {
                                                                         let _e1571 = vec3<f32>(_e1408[0][0], _e1408[0][1], _e1408[0][2]);
                                                                         let _e1572 = vec3<f32>(_e1408[1][0], _e1408[1][1], _e1408[1][2]);
@@ -1008,49 +1008,49 @@ fn function_() {
                                                                         let _e1626 = select(_e1611, _e1598, (_e1598 > _e1611));
                                                                         let _e1628 = select(_e1624, _e1626, (_e1626 > _e1624));
                                                                         if (_e1598 == _e1628) {
-                                                                            phi_2187_ = _e1435;
-                                                                            phi_2188_ = _e1432;
-                                                                            phi_2189_ = _e1422;
-                                                                            phi_2190_ = _e1419;
-                                                                            phi_2191_ = _e1571;
-                                                                            phi_2192_ = _e1585;
-                                                                            phi_2193_ = _e1581;
-                                                                            phi_2194_ = _e1577;
+                                                                            phi_2260_ = _e1435;
+                                                                            phi_2261_ = _e1432;
+                                                                            phi_2262_ = _e1422;
+                                                                            phi_2263_ = _e1419;
+                                                                            phi_2264_ = _e1571;
+                                                                            phi_2265_ = _e1585;
+                                                                            phi_2266_ = _e1581;
+                                                                            phi_2267_ = _e1577;
                                                                         } else {
                                                                             let _e1630 = (_e1611 == _e1628);
                                                                             let _e1635 = vec3(_e1630);
-                                                                            phi_2187_ = select(_e1422, _e1448, _e1630);
-                                                                            phi_2188_ = select(_e1419, _e1445, _e1630);
-                                                                            phi_2189_ = select(_e1448, _e1435, _e1630);
-                                                                            phi_2190_ = select(_e1445, _e1432, _e1630);
-                                                                            phi_2191_ = select(_e1573, _e1572, _e1635);
-                                                                            phi_2192_ = select(_e1581, _e1577, _e1635);
-                                                                            phi_2193_ = select(_e1577, _e1585, _e1635);
-                                                                            phi_2194_ = select(_e1585, _e1581, _e1635);
+                                                                            phi_2260_ = select(_e1422, _e1448, _e1630);
+                                                                            phi_2261_ = select(_e1419, _e1445, _e1630);
+                                                                            phi_2262_ = select(_e1448, _e1435, _e1630);
+                                                                            phi_2263_ = select(_e1445, _e1432, _e1630);
+                                                                            phi_2264_ = select(_e1573, _e1572, _e1635);
+                                                                            phi_2265_ = select(_e1581, _e1577, _e1635);
+                                                                            phi_2266_ = select(_e1577, _e1585, _e1635);
+                                                                            phi_2267_ = select(_e1585, _e1581, _e1635);
                                                                         }
-                                                                        let _e1641 = phi_2187_;
-                                                                        let _e1643 = phi_2188_;
-                                                                        let _e1645 = phi_2189_;
-                                                                        let _e1647 = phi_2190_;
-                                                                        let _e1649 = phi_2191_;
-                                                                        let _e1651 = phi_2192_;
-                                                                        let _e1653 = phi_2193_;
-                                                                        let _e1655 = phi_2194_;
+                                                                        let _e1641 = phi_2260_;
+                                                                        let _e1643 = phi_2261_;
+                                                                        let _e1645 = phi_2262_;
+                                                                        let _e1647 = phi_2263_;
+                                                                        let _e1649 = phi_2264_;
+                                                                        let _e1651 = phi_2265_;
+                                                                        let _e1653 = phi_2266_;
+                                                                        let _e1655 = phi_2267_;
                                                                         let _e1662 = ((_e1653.y * _e1651.z) - (_e1651.y * _e1653.z));
                                                                         let _e1667 = ((_e1653.z * _e1651.x) - (_e1651.z * _e1653.x));
                                                                         let _e1670 = ((_e1653.x * _e1651.y) - (_e1651.x * _e1653.y));
                                                                         if (_e1470 >= _e1474) {
-                                                                            phi_2225_ = select(true, false, (_e1470 >= _e1478));
+                                                                            phi_2304_ = select(true, false, (_e1470 >= _e1478));
                                                                         } else {
-                                                                            phi_2225_ = true;
+                                                                            phi_2304_ = true;
                                                                         }
-                                                                        let _e1675 = phi_2225_;
+                                                                        let _e1675 = phi_2304_;
                                                                         if _e1675 {
-                                                                            phi_2234_ = select(_e1573, _e1572, vec3((_e1474 >= _e1478)));
+                                                                            phi_2313_ = select(_e1573, _e1572, vec3((_e1474 >= _e1478)));
                                                                         } else {
-                                                                            phi_2234_ = _e1571;
+                                                                            phi_2313_ = _e1571;
                                                                         }
-                                                                        let _e1680 = phi_2234_;
+                                                                        let _e1680 = phi_2313_;
                                                                         let _e1691 = (((_e1662 * (_e1680.x - _e471)) + (_e1667 * (_e1680.y - _e538))) + (_e1670 * (_e1680.z - _e604)));
                                                                         let _e1696 = (((_e1662 * _e511) + (_e1667 * _e577)) + (_e1670 * _e643));
                                                                         let _e1697 = (_e1643 - _e1647);
@@ -1082,168 +1082,168 @@ fn function_() {
                                                                             let _e1794 = bitcast<f32>((bitcast<u32>(_e1651.z) & 2147483647u));
                                                                             let _e1798 = (bitcast<f32>((bitcast<u32>(_e1696) & 2147483647u)) > ((0.0000038146973f * select(_e1780, _e1777, (_e1777 > _e1780))) * select(_e1794, _e1791, (_e1791 > _e1794))));
                                                                             if _e1798 {
-                                                                                phi_2399_ = (_e1691 / _e1696);
+                                                                                phi_2478_ = (_e1691 / _e1696);
                                                                             } else {
-                                                                                phi_2399_ = f32();
+                                                                                phi_2478_ = f32();
                                                                             }
-                                                                            let _e1801 = phi_2399_;
-                                                                            phi_2401_ = _e1801;
-                                                                            phi_2402_ = select(true, false, _e1798);
+                                                                            let _e1801 = phi_2478_;
+                                                                            phi_2480_ = _e1801;
+                                                                            phi_2481_ = select(true, false, _e1798);
                                                                         } else {
-                                                                            phi_2401_ = f32();
-                                                                            phi_2402_ = true;
+                                                                            phi_2480_ = f32();
+                                                                            phi_2481_ = true;
                                                                         }
-                                                                        let _e1804 = phi_2401_;
-                                                                        let _e1806 = phi_2402_;
+                                                                        let _e1804 = phi_2480_;
+                                                                        let _e1806 = phi_2481_;
                                                                         if _e1806 {
                                                                             let _e1814 = (((_e1662 * (_e1723 - (_e511 * _e1726))) + (_e1667 * (_e1724 - (_e577 * _e1726)))) / _e1696);
                                                                             if (bitcast<f32>((bitcast<u32>(_e1814) & 2147483647u)) <= _e1628) {
-                                                                                phi_2422_ = (_e1726 + _e1814);
+                                                                                phi_2501_ = (_e1726 + _e1814);
                                                                             } else {
-                                                                                phi_2422_ = _e1726;
+                                                                                phi_2501_ = _e1726;
                                                                             }
-                                                                            let _e1821 = phi_2422_;
-                                                                            phi_2423_ = _e1821;
+                                                                            let _e1821 = phi_2501_;
+                                                                            phi_2502_ = _e1821;
                                                                         } else {
-                                                                            phi_2423_ = _e1804;
+                                                                            phi_2502_ = _e1804;
                                                                         }
-                                                                        let _e1823 = phi_2423_;
+                                                                        let _e1823 = phi_2502_;
                                                                         let _e1825 = select(_e1561, _e1823, (_e1823 < _e1561));
                                                                         let _e1827 = select(_e1553, _e1825, (_e1825 > _e1553));
                                                                         if (_e1827 >= _e757) {
                                                                             let _e1829 = (_e1827 <= _e1312.member_1);
                                                                             if _e1829 {
                                                                                 let _e1830 = (1f / _e1480);
-                                                                                phi_2446_ = type_26(_e1827, (_e1474 * _e1830), (_e1478 * _e1830), _e1341);
+                                                                                phi_2525_ = type_26(_e1827, (_e1474 * _e1830), (_e1478 * _e1830), _e1341);
                                                                             } else {
-                                                                                phi_2446_ = type_26();
+                                                                                phi_2525_ = type_26();
                                                                             }
-                                                                            let _e1835 = phi_2446_;
-                                                                            phi_2448_ = _e1835;
-                                                                            phi_2449_ = select(true, false, _e1829);
+                                                                            let _e1835 = phi_2525_;
+                                                                            phi_2527_ = _e1835;
+                                                                            phi_2528_ = select(true, false, _e1829);
                                                                         } else {
-                                                                            phi_2448_ = type_26();
-                                                                            phi_2449_ = true;
+                                                                            phi_2527_ = type_26();
+                                                                            phi_2528_ = true;
                                                                         }
-                                                                        let _e1838 = phi_2448_;
-                                                                        let _e1840 = phi_2449_;
+                                                                        let _e1838 = phi_2527_;
+                                                                        let _e1840 = phi_2528_;
                                                                         if _e1840 {
-                                                                            phi_2453_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            phi_2532_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                         } else {
-                                                                            phi_2453_ = _e1838;
+                                                                            phi_2532_ = _e1838;
                                                                         }
-                                                                        let _e1842 = phi_2453_;
-                                                                        phi_2454_ = _e1842;
+                                                                        let _e1842 = phi_2532_;
+                                                                        phi_2533_ = _e1842;
                                                                     }
-                                                                    let _e1844 = phi_2454_;
-                                                                    phi_2455_ = _e1844;
-                                                                    phi_2456_ = _e1570;
+                                                                    let _e1844 = phi_2533_;
+                                                                    phi_2534_ = _e1844;
+                                                                    phi_2535_ = _e1570;
                                                                 }
-                                                                let _e1846 = phi_2455_;
-                                                                let _e1848 = phi_2456_;
-                                                                phi_2460_ = _e1846;
-                                                                phi_2461_ = _e1848;
+                                                                let _e1846 = phi_2534_;
+                                                                let _e1848 = phi_2535_;
+                                                                phi_2539_ = _e1846;
+                                                                phi_2540_ = _e1848;
                                                             }
-                                                            let _e1850 = phi_2460_;
-                                                            let _e1852 = phi_2461_;
-                                                            phi_2462_ = _e1850;
-                                                            phi_2463_ = _e1505;
-                                                            phi_2464_ = _e1852;
+                                                            let _e1850 = phi_2539_;
+                                                            let _e1852 = phi_2540_;
+                                                            phi_2541_ = _e1850;
+                                                            phi_2542_ = _e1505;
+                                                            phi_2543_ = _e1852;
                                                         }
-                                                        let _e1854 = phi_2462_;
-                                                        let _e1856 = phi_2463_;
-                                                        let _e1858 = phi_2464_;
-                                                        phi_2465_ = _e1854;
-                                                        phi_2466_ = _e1856;
-                                                        phi_2467_ = _e1858;
+                                                        let _e1854 = phi_2541_;
+                                                        let _e1856 = phi_2542_;
+                                                        let _e1858 = phi_2543_;
+                                                        phi_2544_ = _e1854;
+                                                        phi_2545_ = _e1856;
+                                                        phi_2546_ = _e1858;
                                                     }
-                                                    let _e1860 = phi_2465_;
-                                                    let _e1862 = phi_2466_;
-                                                    let _e1864 = phi_2467_;
-                                                    phi_2475_ = _e1860;
-                                                    phi_2476_ = select(_e1864, true, _e1862);
+                                                    let _e1860 = phi_2544_;
+                                                    let _e1862 = phi_2545_;
+                                                    let _e1864 = phi_2546_;
+                                                    phi_2554_ = _e1860;
+                                                    phi_2555_ = select(_e1864, true, _e1862);
                                                 } else {
-                                                    phi_2475_ = type_26();
-                                                    phi_2476_ = true;
+                                                    phi_2554_ = type_26();
+                                                    phi_2555_ = true;
                                                 }
-                                                let _e1867 = phi_2475_;
-                                                let _e1869 = phi_2476_;
+                                                let _e1867 = phi_2554_;
+                                                let _e1869 = phi_2555_;
                                                 if _e1869 {
-                                                    phi_2480_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_2559_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2480_ = _e1867;
+                                                    phi_2559_ = _e1867;
                                                 }
-                                                let _e1871 = phi_2480_;
+                                                let _e1871 = phi_2559_;
                                                 if (_e1871.member_3 != 4294967295u) {
                                                     if (_e1341 == _e170) {
-                                                        phi_2809_ = false;
+                                                        phi_2894_ = false;
                                                     } else {
                                                         let _e1875 = (_e1341 < arrayLength((&global_5.member)));
                                                         if _e1875 {
                                                             if _e1875 {
                                                             } else {
-                                                                phi_4487_ = true;
+                                                                phi_4603_ = true;
                                                                 break;
                                                             }
                                                             let _e1877 = global_5.member[_e1341];
-                                                            phi_2503_ = _e1877;
+                                                            phi_2582_ = _e1877;
                                                         } else {
-                                                            phi_2503_ = 4294967295u;
+                                                            phi_2582_ = 4294967295u;
                                                         }
-                                                        let _e1879 = phi_2503_;
+                                                        let _e1879 = phi_2582_;
                                                         let _e1880 = (_e1879 < arrayLength((&global_6.member)));
                                                         if _e1880 {
                                                             if _e1880 {
                                                             } else {
-                                                                phi_4487_ = true;
+                                                                phi_4603_ = true;
                                                                 break;
                                                             }
                                                             let _e1882 = global_6.member[_e1879];
-                                                            phi_2517_ = _e1882;
+                                                            phi_2596_ = _e1882;
                                                         } else {
-                                                            phi_2517_ = 0i;
+                                                            phi_2596_ = 0i;
                                                         }
-                                                        let _e1884 = phi_2517_;
+                                                        let _e1884 = phi_2596_;
                                                         let _e1885 = (_e1884 == 0i);
                                                         if _e1885 {
-                                                            phi_2808_ = true;
+                                                            phi_2893_ = true;
                                                         } else {
                                                             if _e448 {
-                                                                phi_2538_ = vec3<f32>(_e1408[0][0], _e1408[0][1], _e1408[0][2]);
+                                                                phi_2619_ = vec3<f32>(_e1408[0][0], _e1408[0][1], _e1408[0][2]);
                                                             } else {
                                                                 if (_e424 == 1u) {
-                                                                    phi_2537_ = vec3<f32>(_e1408[0][2], _e1408[0][0], _e1408[0][1]);
+                                                                    phi_2618_ = vec3<f32>(_e1408[0][2], _e1408[0][0], _e1408[0][1]);
                                                                 } else {
-                                                                    phi_2537_ = vec3<f32>(_e1408[0][1], _e1408[0][2], _e1408[0][0]);
+                                                                    phi_2618_ = vec3<f32>(_e1408[0][1], _e1408[0][2], _e1408[0][0]);
                                                                 }
-                                                                let _e1890 = phi_2537_;
-                                                                phi_2538_ = _e1890;
+                                                                let _e1890 = phi_2618_;
+                                                                phi_2619_ = _e1890;
                                                             }
-                                                            let _e1893 = phi_2538_;
+                                                            let _e1893 = phi_2619_;
                                                             if _e448 {
-                                                                phi_2555_ = vec3<f32>(_e1408[1][0], _e1408[1][1], _e1408[1][2]);
+                                                                phi_2638_ = vec3<f32>(_e1408[1][0], _e1408[1][1], _e1408[1][2]);
                                                             } else {
                                                                 if (_e424 == 1u) {
-                                                                    phi_2554_ = vec3<f32>(_e1408[1][2], _e1408[1][0], _e1408[1][1]);
+                                                                    phi_2637_ = vec3<f32>(_e1408[1][2], _e1408[1][0], _e1408[1][1]);
                                                                 } else {
-                                                                    phi_2554_ = vec3<f32>(_e1408[1][1], _e1408[1][2], _e1408[1][0]);
+                                                                    phi_2637_ = vec3<f32>(_e1408[1][1], _e1408[1][2], _e1408[1][0]);
                                                                 }
-                                                                let _e1898 = phi_2554_;
-                                                                phi_2555_ = _e1898;
+                                                                let _e1898 = phi_2637_;
+                                                                phi_2638_ = _e1898;
                                                             }
-                                                            let _e1901 = phi_2555_;
+                                                            let _e1901 = phi_2638_;
                                                             if _e448 {
-                                                                phi_2572_ = vec3<f32>(_e1408[2][0], _e1408[2][1], _e1408[2][2]);
+                                                                phi_2657_ = vec3<f32>(_e1408[2][0], _e1408[2][1], _e1408[2][2]);
                                                             } else {
                                                                 if (_e424 == 1u) {
-                                                                    phi_2571_ = vec3<f32>(_e1408[2][2], _e1408[2][0], _e1408[2][1]);
+                                                                    phi_2656_ = vec3<f32>(_e1408[2][2], _e1408[2][0], _e1408[2][1]);
                                                                 } else {
-                                                                    phi_2571_ = vec3<f32>(_e1408[2][1], _e1408[2][2], _e1408[2][0]);
+                                                                    phi_2656_ = vec3<f32>(_e1408[2][1], _e1408[2][2], _e1408[2][0]);
                                                                 }
-                                                                let _e1906 = phi_2571_;
-                                                                phi_2572_ = _e1906;
+                                                                let _e1906 = phi_2656_;
+                                                                phi_2657_ = _e1906;
                                                             }
-                                                            let _e1909 = phi_2572_;
+                                                            let _e1909 = phi_2657_;
                                                             let _e1912 = (_e1901.x - _e1893.x);
                                                             let _e1915 = (_e1901.y - _e1893.y);
                                                             let _e1918 = (_e1901.z - _e1893.z);
@@ -1251,11 +1251,11 @@ fn function_() {
                                                             let _e1922 = (_e1909.y - _e1893.y);
                                                             let _e1924 = (_e1909.z - _e1893.z);
                                                             if (_e302.member_1 == 1u) {
-                                                                phi_2608_ = (vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]) - _e1893);
+                                                                phi_2693_ = (vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]) - _e1893);
                                                             } else {
-                                                                phi_2608_ = vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]);
+                                                                phi_2693_ = vec3<f32>(_e302.member[0], _e302.member[1], _e302.member[2]);
                                                             }
-                                                            let _e1939 = phi_2608_;
+                                                            let _e1939 = phi_2693_;
                                                             let _e1945 = bitcast<f32>((bitcast<u32>((_e1912 * _e1922)) ^ _e302.member_3[0]));
                                                             let _e1949 = bitcast<f32>((bitcast<u32>((_e1915 * _e1920)) ^ _e302.member_3[0]));
                                                             let _e1953 = bitcast<f32>((bitcast<u32>((_e1915 * _e1924)) ^ _e302.member_3[0]));
@@ -1269,7 +1269,7 @@ fn function_() {
                                                             let _e1999 = (bitcast<f32>((bitcast<u32>(_e1961) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1965) & 2147483647u)));
                                                             let _e2006 = (bitcast<f32>((bitcast<u32>(_e1945) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1949) & 2147483647u)));
                                                             if (_e302.member_2 == 0f) {
-                                                                phi_2790_ = 0f;
+                                                                phi_2875_ = 0f;
                                                             } else {
                                                                 let _e2036 = bitcast<f32>((bitcast<u32>(_e1966) & 2147483647u));
                                                                 let _e2039 = bitcast<f32>((bitcast<u32>(_e1967) & 2147483647u));
@@ -1279,125 +1279,125 @@ fn function_() {
                                                                 let _e2052 = select(_e2039, _e2036, (_e2036 < _e2039));
                                                                 let _e2054 = select(_e2039, _e2036, (_e2036 > _e2039));
                                                                 let _e2056 = select(_e2042, _e2054, (_e2054 < _e2042));
-                                                                phi_2790_ = bitcast<f32>((bitcast<u32>((_e302.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2044, _e2036, (_e2036 > _e2044)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2056, _e2052, (_e2052 > _e2056)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2048, _e2036, (_e2036 < _e2048)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1992 + _e1999) + _e2006))) ^ _e302.member_3[0]))) * 1.0000005f)) ^ _e302.member_3[0])))) ^ _e302.member_3[0]));
+                                                                phi_2875_ = bitcast<f32>((bitcast<u32>((_e302.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2044, _e2036, (_e2036 > _e2044)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2056, _e2052, (_e2052 > _e2056)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2048, _e2036, (_e2036 < _e2048)))) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1992 + _e1999) + _e2006))) ^ _e302.member_3[0]))) * 1.0000005f)) ^ _e302.member_3[0])))) ^ _e302.member_3[0]));
                                                             }
-                                                            let _e2083 = phi_2790_;
-                                                            phi_2808_ = (_e1885 || !(((((bitcast<f32>((bitcast<u32>((_e1939.x * _e1966)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1939.y * _e1967)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1939.z * _e1968)) ^ _e302.member_3[0]))) * f32(-(_e1884))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.x) & 2147483647u)) * _e1992)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.y) & 2147483647u)) * _e1999)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.z) & 2147483647u)) * _e2006)) ^ _e302.member_3[0]))))) ^ _e302.member_3[0])) + _e2083) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2083 = phi_2875_;
+                                                            phi_2893_ = (_e1885 || !(((((bitcast<f32>((bitcast<u32>((_e1939.x * _e1966)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1939.y * _e1967)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1939.z * _e1968)) ^ _e302.member_3[0]))) * f32(-(_e1884))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.x) & 2147483647u)) * _e1992)) ^ _e302.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.y) & 2147483647u)) * _e1999)) ^ _e302.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1939.z) & 2147483647u)) * _e2006)) ^ _e302.member_3[0]))))) ^ _e302.member_3[0])) + _e2083) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2097 = phi_2808_;
-                                                        phi_2809_ = _e2097;
+                                                        let _e2097 = phi_2893_;
+                                                        phi_2894_ = _e2097;
                                                     }
-                                                    let _e2099 = phi_2809_;
+                                                    let _e2099 = phi_2894_;
                                                     if _e2099 {
                                                         if (_e1871.member < _e1312.member.member) {
-                                                            phi_2829_ = true;
+                                                            phi_2914_ = true;
                                                         } else {
                                                             if (_e1871.member == _e1312.member.member) {
-                                                                phi_2828_ = (_e1871.member_3 < _e1312.member.member_3);
+                                                                phi_2913_ = (_e1871.member_3 < _e1312.member.member_3);
                                                             } else {
-                                                                phi_2828_ = false;
+                                                                phi_2913_ = false;
                                                             }
-                                                            let _e2109 = phi_2828_;
-                                                            phi_2829_ = _e2109;
+                                                            let _e2109 = phi_2913_;
+                                                            phi_2914_ = _e2109;
                                                         }
-                                                        let _e2111 = phi_2829_;
+                                                        let _e2111 = phi_2914_;
                                                         if _e2111 {
-                                                            phi_2835_ = type_43(_e1871, _e1871.member);
+                                                            phi_2920_ = type_44(_e1871, _e1871.member);
                                                         } else {
-                                                            phi_2835_ = _e1312;
+                                                            phi_2920_ = _e1312;
                                                         }
-                                                        let _e2114 = phi_2835_;
-                                                        phi_2836_ = _e2114;
+                                                        let _e2114 = phi_2920_;
+                                                        phi_2921_ = _e2114;
                                                     } else {
-                                                        phi_2836_ = _e1312;
+                                                        phi_2921_ = _e1312;
                                                     }
-                                                    let _e2116 = phi_2836_;
-                                                    phi_2837_ = _e2116;
+                                                    let _e2116 = phi_2921_;
+                                                    phi_2922_ = _e2116;
                                                 } else {
-                                                    phi_2837_ = _e1312;
+                                                    phi_2922_ = _e1312;
                                                 }
-                                                let _e2118 = phi_2837_;
-                                                phi_1505_ = _e2118;
+                                                let _e2118 = phi_2922_;
+                                                phi_1522_ = _e2118;
                                             } else {
-                                                phi_1505_ = type_43();
+                                                phi_1522_ = type_44();
                                             }
-                                            let _e2120 = phi_1505_;
+                                            let _e2120 = phi_1522_;
                                             continue;
                                             continuing {
-                                                phi_1504_ = _e2120;
-                                                phi_1507_ = _e1327;
-                                                phi_4487_ = _e799;
+                                                phi_1521_ = _e2120;
+                                                phi_1524_ = _e1327;
+                                                phi_4603_ = _e799;
                                                 break if !(_e1333);
                                             }
                                         }
-                                        let _e2123 = phi_4487_;
-                                        phi_4679_ = _e2123;
+                                        let _e2123 = phi_4603_;
+                                        phi_4795_ = _e2123;
                                         if _e2123 {
                                             break;
                                         }
-                                        phi_4683_ = _e2123;
+                                        phi_4799_ = _e2123;
                                         let _e2456 = local_11;
-                                        phi_4042_ = _e2456;
-                                        phi_4043_ = _e840;
-                                        phi_4044_ = false;
-                                        phi_4045_ = _e844;
+                                        phi_4158_ = _e2456;
+                                        phi_4159_ = false;
+                                        phi_4160_ = _e842;
+                                        phi_4161_ = _e844;
                                     } else {
-                                        if (_e840.member_1 >= _e103) {
-                                            phi_3598_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e844.member_1 >= _e103) {
+                                            phi_3693_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e840.member_1 < _e103) {
+                                            if (_e844.member_1 < _e103) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
                                             let _e855 = (_e424 * 2u);
                                             let _e857 = ((1u + _e855) % 7u);
                                             if (_e857 < 7u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e862 = global_10.member[_e840.member_1][_e857];
+                                            let _e862 = global_10.member[_e844.member_1][_e857];
                                             let _e864 = ((_e855 + 2u) % 7u);
                                             if (_e864 < 7u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e869 = global_10.member[_e840.member_1][_e864];
+                                            let _e869 = global_10.member[_e844.member_1][_e864];
                                             let _e870 = (_e423 * 2u);
                                             let _e872 = ((1u + _e870) % 7u);
                                             if (_e872 < 7u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e877 = global_10.member[_e840.member_1][_e872];
+                                            let _e877 = global_10.member[_e844.member_1][_e872];
                                             let _e879 = ((_e870 + 2u) % 7u);
                                             if (_e879 < 7u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e884 = global_10.member[_e840.member_1][_e879];
+                                            let _e884 = global_10.member[_e844.member_1][_e879];
                                             let _e885 = (_e425 * 2u);
                                             let _e887 = ((1u + _e885) % 7u);
                                             if (_e887 < 7u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e892 = global_10.member[_e840.member_1][_e887];
+                                            let _e892 = global_10.member[_e844.member_1][_e887];
                                             let _e894 = ((_e885 + 2u) % 7u);
                                             if (_e894 < 7u) {
                                             } else {
-                                                phi_4679_ = true;
+                                                phi_4795_ = true;
                                                 break;
                                             }
-                                            let _e899 = global_10.member[_e840.member_1][_e894];
-                                            let _e922 = (bitcast<f32>((bitcast<u32>((_e840.member.member_1.x - _e840.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e923 = (bitcast<f32>((bitcast<u32>((_e840.member.member_1.y - _e840.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e924 = (bitcast<f32>((bitcast<u32>((_e840.member.member_1.z - _e840.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e899 = global_10.member[_e844.member_1][_e894];
+                                            let _e922 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.x - _e844.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e923 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.y - _e844.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e924 = (bitcast<f32>((bitcast<u32>((_e844.member.member_1.z - _e844.member.member.z)) & 2139095040u)) * 0.0000009536743f);
                                             let _e926 = select(_e161, _e922, (_e922 > _e161));
                                             let _e928 = select(_e161, _e923, (_e923 > _e161));
                                             let _e930 = select(_e161, _e924, (_e924 > _e161));
@@ -1425,10 +1425,10 @@ fn function_() {
                                             let _e1030 = bitcast<f32>((_e1000 & bitcast<u32>(~(_e1005))));
                                             let _e1034 = bitcast<f32>((_e1009 & bitcast<u32>(~(_e1014))));
                                             let _e1038 = bitcast<f32>((_e1018 & bitcast<u32>(~(_e1023))));
-                                            let _e1068 = global_10.member[_e840.member_1][0u];
-                                            let _e1072 = global_10.member[_e840.member_1][2u];
-                                            let _e1076 = global_10.member[_e840.member_1][4u];
-                                            let _e1080 = global_10.member[_e840.member_1][6u];
+                                            let _e1068 = global_10.member[_e844.member_1][0u];
+                                            let _e1072 = global_10.member[_e844.member_1][2u];
+                                            let _e1076 = global_10.member[_e844.member_1][4u];
+                                            let _e1080 = global_10.member[_e844.member_1][6u];
                                             let _e1092 = (((_e1072 >> bitcast<u32>(22i)) | ((_e1076 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1080 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
                                             let _e1093 = (_e1068 & 268435455u);
                                             let _e1094 = (_e1092 & 268435455u);
@@ -1436,48 +1436,48 @@ fn function_() {
                                             let _e1105 = ((_e1068 >> bitcast<u32>(31i)) | (((_e1092 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
                                             let _e1106 = (_e1097 != 0u);
                                             if (_e1097 == 0u) {
-                                                phi_3560_ = _e1093;
+                                                phi_3655_ = _e1093;
                                             } else {
                                                 if (_e1097 == 7u) {
-                                                    phi_3559_ = 2147483648u;
+                                                    phi_3654_ = 2147483648u;
                                                 } else {
-                                                    phi_3559_ = ((2147483648u | (_e1097 << bitcast<u32>(28u))) | (_e1094 & 268435455u));
+                                                    phi_3654_ = ((2147483648u | (_e1097 << bitcast<u32>(28u))) | (_e1094 & 268435455u));
                                                 }
-                                                let _e1115 = phi_3559_;
-                                                phi_3560_ = _e1115;
+                                                let _e1115 = phi_3654_;
+                                                phi_3655_ = _e1115;
                                             }
-                                            let _e1117 = phi_3560_;
+                                            let _e1117 = phi_3655_;
                                             if _e1106 {
                                                 let _e1118 = (_e1097 != 7u);
                                                 if _e1118 {
-                                                    phi_3570_ = (_e1094 + _e1097);
+                                                    phi_3665_ = (_e1094 + _e1097);
                                                 } else {
-                                                    phi_3570_ = u32();
+                                                    phi_3665_ = u32();
                                                 }
-                                                let _e1121 = phi_3570_;
-                                                phi_3572_ = _e1121;
-                                                phi_3573_ = select(true, false, _e1118);
+                                                let _e1121 = phi_3665_;
+                                                phi_3667_ = _e1121;
+                                                phi_3668_ = select(true, false, _e1118);
                                             } else {
-                                                phi_3572_ = u32();
-                                                phi_3573_ = true;
+                                                phi_3667_ = u32();
+                                                phi_3668_ = true;
                                             }
-                                            let _e1124 = phi_3572_;
-                                            let _e1126 = phi_3573_;
+                                            let _e1124 = phi_3667_;
+                                            let _e1126 = phi_3668_;
                                             if (_e1105 == 0u) {
-                                                phi_3594_ = (_e1093 + select(0u, 1u, !(_e1106)));
+                                                phi_3689_ = (_e1093 + select(0u, 1u, !(_e1106)));
                                             } else {
                                                 if (_e1105 == 7u) {
-                                                    phi_3593_ = 2147483648u;
+                                                    phi_3688_ = 2147483648u;
                                                 } else {
-                                                    phi_3593_ = ((2147483648u | (_e1105 << bitcast<u32>(28u))) | (select(_e1124, _e1094, _e1126) & 268435455u));
+                                                    phi_3688_ = ((2147483648u | (_e1105 << bitcast<u32>(28u))) | (select(_e1124, _e1094, _e1126) & 268435455u));
                                                 }
-                                                let _e1139 = phi_3593_;
-                                                phi_3594_ = _e1139;
+                                                let _e1139 = phi_3688_;
+                                                phi_3689_ = _e1139;
                                             }
-                                            let _e1141 = phi_3594_;
-                                            phi_3598_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e840.member.member.x + _e969), (_e840.member.member.x + _e991), (_e840.member.member_1.x - _e1008), (_e840.member.member_1.x - _e1030)), vec4<f32>((_e840.member.member.y + _e978), (_e840.member.member.y + _e995), (_e840.member.member_1.y - _e1017), (_e840.member.member_1.y - _e1034)), vec4<f32>((_e840.member.member.z + _e987), (_e840.member.member.z + _e999), (_e840.member.member_1.z - _e1026), (_e840.member.member_1.z - _e1038))), type_62(type_38((_e840.member.member + vec4<f32>(_e969, _e978, _e987, 0f)), (_e840.member.member_1 - vec4<f32>(_e1008, _e1017, _e1026, 0f))), _e1117), type_62(type_38((_e840.member.member + vec4<f32>(_e991, _e995, _e999, 0f)), (_e840.member.member_1 - vec4<f32>(_e1030, _e1034, _e1038, 0f))), _e1141));
+                                            let _e1141 = phi_3689_;
+                                            phi_3693_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e844.member.member.x + _e969), (_e844.member.member.x + _e991), (_e844.member.member_1.x - _e1008), (_e844.member.member_1.x - _e1030)), vec4<f32>((_e844.member.member.y + _e978), (_e844.member.member.y + _e995), (_e844.member.member_1.y - _e1017), (_e844.member.member_1.y - _e1034)), vec4<f32>((_e844.member.member.z + _e987), (_e844.member.member.z + _e999), (_e844.member.member_1.z - _e1026), (_e844.member.member_1.z - _e1038))), type_62(type_38((_e844.member.member + vec4<f32>(_e969, _e978, _e987, 0f)), (_e844.member.member_1 - vec4<f32>(_e1008, _e1017, _e1026, 0f))), _e1117), type_62(type_38((_e844.member.member + vec4<f32>(_e991, _e995, _e999, 0f)), (_e844.member.member_1 - vec4<f32>(_e1030, _e1034, _e1038, 0f))), _e1141));
                                         }
-                                        let _e1146 = phi_3598_;
+                                        let _e1146 = phi_3693_;
                                         let _e1158 = ((_e1146.member[0].x - _e509) * _e514);
                                         let _e1159 = ((_e1146.member[0].y - _e509) * _e514);
                                         let _e1160 = ((_e1146.member[0].z - _e510) * _e514);
@@ -1520,188 +1520,188 @@ fn function_() {
                                         if _e1246 {
                                             if _e1247 {
                                                 if _e1248 {
-                                                    phi_3942_ = _e1146.member_2;
+                                                    phi_4055_ = _e1146.member_2;
                                                 } else {
-                                                    phi_3942_ = _e1146.member_1;
+                                                    phi_4055_ = _e1146.member_1;
                                                 }
-                                                let _e1252 = phi_3942_;
-                                                let _e1274 = (_e844 % 128u);
+                                                let _e1252 = phi_4055_;
+                                                let _e1274 = (_e842 % 128u);
                                                 let _e1275 = (_e1274 < 128u);
                                                 if _e1275 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_8[_e1274] = _e1252.member_1;
                                                 if _e1275 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_7[_e1274] = _e1252.member.member.x;
                                                 if _e1275 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_6[_e1274] = _e1252.member.member.y;
                                                 if _e1275 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1274] = _e1252.member.member.z;
                                                 if _e1275 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1274] = _e1252.member.member_1.x;
                                                 if _e1275 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1274] = _e1252.member.member_1.y;
                                                 if _e1275 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1274] = _e1252.member.member_1.z;
                                                 if _e1275 {
                                                 } else {
-                                                    phi_4679_ = true;
+                                                    phi_4795_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1274] = select(_e1241, _e1239, (_e1239 > _e1241));
+                                                local_9[_e1274] = select(_e1241, _e1239, !(_e1248));
                                                 if _e1248 {
-                                                    phi_4019_ = _e1146.member_1;
+                                                    phi_4132_ = _e1146.member_1;
                                                 } else {
-                                                    phi_4019_ = _e1146.member_2;
+                                                    phi_4132_ = _e1146.member_2;
                                                 }
-                                                let _e1288 = phi_4019_;
-                                                phi_4020_ = _e1288;
-                                                phi_4021_ = (_e844 + 1u);
+                                                let _e1288 = phi_4132_;
+                                                phi_4133_ = (_e842 + 1u);
+                                                phi_4134_ = _e1288;
                                             } else {
-                                                phi_4020_ = type_62();
-                                                phi_4021_ = u32();
+                                                phi_4133_ = u32();
+                                                phi_4134_ = type_62();
                                             }
-                                            let _e1290 = phi_4020_;
-                                            let _e1292 = phi_4021_;
-                                            phi_4023_ = _e1290;
-                                            phi_4024_ = _e1292;
-                                            phi_4025_ = select(true, false, _e1247);
+                                            let _e1290 = phi_4133_;
+                                            let _e1292 = phi_4134_;
+                                            phi_4136_ = _e1290;
+                                            phi_4137_ = _e1292;
+                                            phi_4138_ = select(true, false, _e1247);
                                         } else {
-                                            phi_4023_ = type_62();
-                                            phi_4024_ = u32();
-                                            phi_4025_ = true;
+                                            phi_4136_ = u32();
+                                            phi_4137_ = type_62();
+                                            phi_4138_ = true;
                                         }
-                                        let _e1295 = phi_4023_;
-                                        let _e1297 = phi_4024_;
-                                        let _e1299 = phi_4025_;
+                                        let _e1295 = phi_4136_;
+                                        let _e1297 = phi_4137_;
+                                        let _e1299 = phi_4138_;
                                         if _e1299 {
                                             if _e1246 {
-                                                phi_4034_ = _e1146.member_1;
+                                                phi_4147_ = _e1146.member_1;
                                             } else {
-                                                phi_4034_ = _e1146.member_2;
+                                                phi_4147_ = _e1146.member_2;
                                             }
-                                            let _e1303 = phi_4034_;
-                                            phi_4039_ = _e1303;
-                                            phi_4040_ = select(_e1247, true, _e1246);
+                                            let _e1303 = phi_4147_;
+                                            phi_4152_ = select(_e1247, true, _e1246);
+                                            phi_4154_ = _e1303;
                                         } else {
-                                            phi_4039_ = _e1295;
-                                            phi_4040_ = _e842;
+                                            phi_4152_ = _e840;
+                                            phi_4154_ = _e1297;
                                         }
-                                        let _e1306 = phi_4039_;
-                                        let _e1308 = phi_4040_;
-                                        phi_4683_ = _e799;
-                                        phi_4042_ = _e801;
-                                        phi_4043_ = _e1306;
-                                        phi_4044_ = _e1308;
-                                        phi_4045_ = select(_e1297, _e844, _e1299);
+                                        let _e1306 = phi_4152_;
+                                        let _e1308 = phi_4154_;
+                                        phi_4799_ = _e799;
+                                        phi_4158_ = _e801;
+                                        phi_4159_ = _e1306;
+                                        phi_4160_ = select(_e1295, _e842, _e1299);
+                                        phi_4161_ = _e1308;
                                     }
-                                    let _e2125 = phi_4683_;
-                                    let _e2127 = phi_4042_;
-                                    let _e2129 = phi_4043_;
-                                    let _e2131 = phi_4044_;
-                                    let _e2133 = phi_4045_;
-                                    phi_4682_ = _e2125;
-                                    phi_4046_ = _e2127;
-                                    phi_4047_ = _e2129;
-                                    phi_4048_ = (_e805 - 1u);
-                                    phi_4049_ = _e2131;
-                                    phi_4050_ = _e2133;
+                                    let _e2125 = phi_4799_;
+                                    let _e2127 = phi_4158_;
+                                    let _e2129 = phi_4159_;
+                                    let _e2131 = phi_4160_;
+                                    let _e2133 = phi_4161_;
+                                    phi_4798_ = _e2125;
+                                    phi_4162_ = _e2127;
+                                    phi_4163_ = _e2129;
+                                    phi_4164_ = (_e805 - 1u);
+                                    phi_4165_ = _e2131;
+                                    phi_4166_ = _e2133;
                                 } else {
-                                    phi_4682_ = _e799;
-                                    phi_4046_ = _e801;
-                                    phi_4047_ = _e840;
-                                    phi_4048_ = _e805;
-                                    phi_4049_ = _e842;
-                                    phi_4050_ = _e844;
+                                    phi_4798_ = _e799;
+                                    phi_4162_ = _e801;
+                                    phi_4163_ = _e840;
+                                    phi_4164_ = _e805;
+                                    phi_4165_ = _e842;
+                                    phi_4166_ = _e844;
                                 }
-                                let _e2135 = phi_4682_;
-                                let _e2137 = phi_4046_;
-                                let _e2139 = phi_4047_;
-                                let _e2141 = phi_4048_;
-                                let _e2143 = phi_4049_;
-                                let _e2145 = phi_4050_;
-                                phi_4681_ = _e2135;
-                                phi_4051_ = _e2137;
-                                phi_4052_ = _e2139;
-                                phi_4053_ = _e2141;
-                                phi_4054_ = _e2143;
-                                phi_4055_ = _e2145;
+                                let _e2135 = phi_4798_;
+                                let _e2137 = phi_4162_;
+                                let _e2139 = phi_4163_;
+                                let _e2141 = phi_4164_;
+                                let _e2143 = phi_4165_;
+                                let _e2145 = phi_4166_;
+                                phi_4797_ = _e2135;
+                                phi_4167_ = _e2137;
+                                phi_4168_ = _e2139;
+                                phi_4169_ = _e2141;
+                                phi_4170_ = _e2143;
+                                phi_4171_ = _e2145;
                             } else {
-                                phi_4681_ = _e799;
-                                phi_4051_ = type_43();
-                                phi_4052_ = type_62();
-                                phi_4053_ = u32();
-                                phi_4054_ = bool();
-                                phi_4055_ = u32();
+                                phi_4797_ = _e799;
+                                phi_4167_ = type_44();
+                                phi_4168_ = bool();
+                                phi_4169_ = u32();
+                                phi_4170_ = u32();
+                                phi_4171_ = type_62();
                             }
-                            let _e2147 = phi_4681_;
-                            let _e2149 = phi_4051_;
-                            let _e2151 = phi_4052_;
-                            let _e2153 = phi_4053_;
-                            let _e2155 = phi_4054_;
-                            let _e2157 = phi_4055_;
-                            phi_4680_ = _e2147;
-                            phi_1379_ = _e2149;
-                            phi_1382_ = _e2151;
-                            phi_1384_ = _e2153;
-                            phi_1386_ = _e2155;
-                            phi_1388_ = _e2157;
-                            phi_4056_ = _e813;
+                            let _e2147 = phi_4797_;
+                            let _e2149 = phi_4167_;
+                            let _e2151 = phi_4168_;
+                            let _e2153 = phi_4169_;
+                            let _e2155 = phi_4170_;
+                            let _e2157 = phi_4171_;
+                            phi_4796_ = _e2147;
+                            phi_1396_ = _e2149;
+                            phi_1399_ = _e2151;
+                            phi_1401_ = _e2153;
+                            phi_1403_ = _e2155;
+                            phi_1405_ = _e2157;
+                            phi_4172_ = _e813;
                         } else {
-                            phi_4680_ = _e799;
-                            phi_1379_ = type_43();
-                            phi_1382_ = type_62();
-                            phi_1384_ = u32();
-                            phi_1386_ = bool();
-                            phi_1388_ = u32();
-                            phi_4056_ = false;
+                            phi_4796_ = _e799;
+                            phi_1396_ = type_44();
+                            phi_1399_ = bool();
+                            phi_1401_ = u32();
+                            phi_1403_ = u32();
+                            phi_1405_ = type_62();
+                            phi_4172_ = false;
                         }
-                        let _e2159 = phi_4680_;
-                        let _e2161 = phi_1379_;
-                        let _e2163 = phi_1382_;
-                        let _e2165 = phi_1384_;
-                        let _e2167 = phi_1386_;
-                        let _e2169 = phi_1388_;
-                        let _e2171 = phi_4056_;
+                        let _e2159 = phi_4796_;
+                        let _e2161 = phi_1396_;
+                        let _e2163 = phi_1399_;
+                        let _e2165 = phi_1401_;
+                        let _e2167 = phi_1403_;
+                        let _e2169 = phi_1405_;
+                        let _e2171 = phi_4172_;
                         continue;
                         continuing {
-                            phi_4493_ = _e2159;
-                            phi_1378_ = _e2161;
-                            phi_1381_ = _e2163;
-                            phi_1383_ = _e2165;
-                            phi_1385_ = _e2167;
-                            phi_1387_ = _e2169;
-                            phi_4679_ = _e2159;
+                            phi_4609_ = _e2159;
+                            phi_1395_ = _e2161;
+                            phi_1398_ = _e2163;
+                            phi_1400_ = _e2165;
+                            phi_1402_ = _e2167;
+                            phi_1404_ = _e2169;
+                            phi_4795_ = _e2159;
                             break if !(_e2171);
                         }
                     }
-                    let _e2174 = phi_4679_;
+                    let _e2174 = phi_4795_;
                     if _e2174 {
                         break;
                     }
@@ -1711,110 +1711,110 @@ fn function_() {
                         let _e2185 = (bitcast<i32>((_e2181 >> bitcast<u32>(23i))) & 255i);
                         let _e2186 = (_e2185 + _e426);
                         if (_e2185 == 255i) {
-                            phi_4115_ = _e2176.member.member;
+                            phi_4231_ = _e2176.member.member;
                         } else {
                             if (_e2185 > 0i) {
                                 if (_e2186 > 0i) {
                                     let _e2190 = (_e2186 < 255i);
                                     if _e2190 {
-                                        phi_4094_ = bitcast<f32>((_e2181 + bitcast<u32>((_e426 << bitcast<u32>(23i)))));
+                                        phi_4210_ = bitcast<f32>((_e2181 + bitcast<u32>((_e426 << bitcast<u32>(23i)))));
                                     } else {
-                                        phi_4094_ = f32();
+                                        phi_4210_ = f32();
                                     }
-                                    let _e2197 = phi_4094_;
-                                    phi_4096_ = _e2197;
-                                    phi_4097_ = select(true, false, _e2190);
+                                    let _e2197 = phi_4210_;
+                                    phi_4212_ = _e2197;
+                                    phi_4213_ = select(true, false, _e2190);
                                 } else {
-                                    phi_4096_ = f32();
-                                    phi_4097_ = true;
+                                    phi_4212_ = f32();
+                                    phi_4213_ = true;
                                 }
-                                let _e2200 = phi_4096_;
-                                let _e2202 = phi_4097_;
-                                phi_4098_ = _e2200;
-                                phi_4099_ = _e2202;
+                                let _e2200 = phi_4212_;
+                                let _e2202 = phi_4213_;
+                                phi_4214_ = _e2200;
+                                phi_4215_ = _e2202;
                             } else {
-                                phi_4098_ = f32();
-                                phi_4099_ = true;
+                                phi_4214_ = f32();
+                                phi_4215_ = true;
                             }
-                            let _e2204 = phi_4098_;
-                            let _e2206 = phi_4099_;
+                            let _e2204 = phi_4214_;
+                            let _e2206 = phi_4215_;
                             if _e2206 {
                                 let _e2207 = (_e2181 & 2147483648u);
                                 let _e2214 = ((_e2181 & 8388607u) | (select(0u, 1u, ((_e2181 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                                 let _e2218 = (_e2214 == 0u);
                                 if _e2218 {
-                                    phi_4445_ = bitcast<f32>(_e2207);
+                                    phi_4561_ = bitcast<f32>(_e2207);
                                 } else {
                                     let _e2223 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2214)), 32u, _e2218) - 8u);
                                     let _e2226 = (_e2214 << bitcast<u32>((_e2223 & 31u)));
                                     let _e2228 = ((_e2186 + select(0i, 1i, (_e2185 == 0i))) - bitcast<i32>(_e2223));
                                     if (_e2228 >= 255i) {
-                                        phi_4435_ = bitcast<f32>((_e2207 | 2139095040u));
-                                        phi_4436_ = f32();
-                                        phi_4437_ = true;
+                                        phi_4551_ = bitcast<f32>((_e2207 | 2139095040u));
+                                        phi_4552_ = f32();
+                                        phi_4553_ = true;
                                     } else {
                                         let _e2230 = (_e2228 > 0i);
                                         if _e2230 {
-                                            phi_4429_ = bitcast<f32>(((_e2207 | (bitcast<u32>(_e2228) << bitcast<u32>(23i))) | (_e2226 & 8388607u)));
-                                            phi_4430_ = f32();
+                                            phi_4545_ = bitcast<f32>(((_e2207 | (bitcast<u32>(_e2228) << bitcast<u32>(23i))) | (_e2226 & 8388607u)));
+                                            phi_4546_ = f32();
                                         } else {
                                             if (_e2228 < -24i) {
-                                                phi_4395_ = 26u;
+                                                phi_4511_ = 26u;
                                             } else {
-                                                phi_4395_ = bitcast<u32>((1i - _e2228));
+                                                phi_4511_ = bitcast<u32>((1i - _e2228));
                                             }
-                                            let _e2235 = phi_4395_;
+                                            let _e2235 = phi_4511_;
                                             let _e2236 = (_e2235 & 31u);
                                             let _e2238 = (_e2226 >> bitcast<u32>(_e2236));
                                             let _e2242 = (_e2226 & ((1u << bitcast<u32>(_e2236)) - 1u));
                                             let _e2246 = (1u << bitcast<u32>(((_e2235 - 1u) & 31u)));
                                             if (_e2242 > _e2246) {
-                                                phi_4416_ = true;
+                                                phi_4532_ = true;
                                             } else {
                                                 if (_e2242 == _e2246) {
-                                                    phi_4413_ = ((_e2238 & 1u) == 1u);
+                                                    phi_4529_ = ((_e2238 & 1u) == 1u);
                                                 } else {
-                                                    phi_4413_ = false;
+                                                    phi_4529_ = false;
                                                 }
-                                                let _e2252 = phi_4413_;
-                                                phi_4416_ = _e2252;
+                                                let _e2252 = phi_4529_;
+                                                phi_4532_ = _e2252;
                                             }
-                                            let _e2254 = phi_4416_;
-                                            phi_4429_ = f32();
-                                            phi_4430_ = bitcast<f32>((_e2207 | (_e2238 + select(0u, 1u, _e2254))));
+                                            let _e2254 = phi_4532_;
+                                            phi_4545_ = f32();
+                                            phi_4546_ = bitcast<f32>((_e2207 | (_e2238 + select(0u, 1u, _e2254))));
                                         }
-                                        let _e2267 = phi_4429_;
-                                        let _e2269 = phi_4430_;
-                                        phi_4435_ = _e2267;
-                                        phi_4436_ = _e2269;
-                                        phi_4437_ = _e2230;
+                                        let _e2267 = phi_4545_;
+                                        let _e2269 = phi_4546_;
+                                        phi_4551_ = _e2267;
+                                        phi_4552_ = _e2269;
+                                        phi_4553_ = _e2230;
                                     }
-                                    let _e2273 = phi_4435_;
-                                    let _e2275 = phi_4436_;
-                                    let _e2277 = phi_4437_;
-                                    phi_4445_ = select(_e2275, _e2273, _e2277);
+                                    let _e2273 = phi_4551_;
+                                    let _e2275 = phi_4552_;
+                                    let _e2277 = phi_4553_;
+                                    phi_4561_ = select(_e2275, _e2273, _e2277);
                                 }
-                                let _e2281 = phi_4445_;
-                                phi_4114_ = _e2281;
+                                let _e2281 = phi_4561_;
+                                phi_4230_ = _e2281;
                             } else {
-                                phi_4114_ = _e2204;
+                                phi_4230_ = _e2204;
                             }
-                            let _e2283 = phi_4114_;
-                            phi_4115_ = _e2283;
+                            let _e2283 = phi_4230_;
+                            phi_4231_ = _e2283;
                         }
-                        let _e2285 = phi_4115_;
+                        let _e2285 = phi_4231_;
                         let _e2286 = bitcast<u32>(_e2285);
                         if ((_e2286 & 2147483647u) >= 2139095040u) {
-                            phi_4127_ = bitcast<f32>(((_e2286 & 2147483648u) | 2139095039u));
+                            phi_4243_ = bitcast<f32>(((_e2286 & 2147483648u) | 2139095039u));
                         } else {
-                            phi_4127_ = _e2285;
+                            phi_4243_ = _e2285;
                         }
-                        let _e2293 = phi_4127_;
-                        phi_4132_ = type_26(_e2293, _e2176.member.member_1, _e2176.member.member_2, _e2176.member.member_3);
+                        let _e2293 = phi_4243_;
+                        phi_4248_ = type_26(_e2293, _e2176.member.member_1, _e2176.member.member_2, _e2176.member.member_3);
                     } else {
-                        phi_4132_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4248_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2298 = phi_4132_;
+                    let _e2298 = phi_4248_;
                     if _e303 {
                     } else {
                         break;

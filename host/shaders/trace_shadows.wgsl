@@ -94,133 +94,133 @@ var<storage, read_write> global_5: type_26;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_187_: u32;
-    var phi_336_: i32;
-    var phi_337_: i32;
-    var phi_347_: bool;
-    var phi_357_: u32;
-    var phi_358_: u32;
-    var phi_360_: bool;
+    var phi_194_: u32;
+    var phi_343_: i32;
+    var phi_344_: i32;
+    var phi_354_: bool;
+    var phi_364_: u32;
     var phi_365_: u32;
-    var phi_397_: i32;
-    var phi_415_: f32;
-    var phi_421_: f32;
-    var phi_461_: f32;
-    var phi_467_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
+    var phi_367_: bool;
+    var phi_372_: u32;
+    var phi_405_: i32;
+    var phi_423_: f32;
+    var phi_429_: f32;
+    var phi_469_: f32;
+    var phi_475_: f32;
+    var phi_527_: f32;
     var phi_539_: f32;
-    var phi_545_: f32;
-    var phi_585_: f32;
-    var phi_591_: f32;
-    var phi_643_: f32;
-    var phi_654_: f32;
-    var phi_663_: f32;
-    var phi_669_: f32;
-    var phi_709_: f32;
-    var phi_715_: f32;
-    var phi_767_: f32;
-    var phi_778_: f32;
-    var phi_833_: i32;
-    var phi_855_: u32;
-    var phi_856_: u32;
-    var phi_893_: i32;
-    var phi_915_: u32;
-    var phi_916_: u32;
-    var phi_924_: f32;
-    var phi_925_: f32;
-    var phi_2536_: bool;
-    var phi_936_: type_48;
-    var phi_939_: u32;
-    var phi_941_: u32;
-    var phi_943_: bool;
-    var phi_945_: u32;
-    var phi_956_: bool;
-    var phi_988_: u32;
-    var phi_989_: bool;
-    var phi_990_: u32;
-    var phi_2054_: type_47;
-    var phi_2398_: u32;
-    var phi_2426_: u32;
-    var phi_2427_: u32;
-    var phi_2428_: u32;
-    var phi_2430_: u32;
-    var phi_2431_: u32;
-    var phi_2432_: bool;
-    var phi_2441_: u32;
-    var phi_2446_: u32;
-    var phi_2447_: bool;
-    var phi_1005_: type_48;
-    var phi_1008_: type_7;
-    var phi_1009_: type_7;
-    var phi_1031_: type_7;
-    var phi_1052_: u32;
-    var phi_1141_: array<array<f32, 3>, 3>;
-    var phi_1258_: bool;
-    var phi_1287_: bool;
-    var phi_1688_: f32;
-    var phi_1689_: f32;
-    var phi_1690_: f32;
-    var phi_1691_: f32;
-    var phi_1692_: vec3<f32>;
-    var phi_1693_: vec3<f32>;
-    var phi_1694_: vec3<f32>;
-    var phi_1695_: vec3<f32>;
-    var phi_1726_: bool;
-    var phi_1735_: vec3<f32>;
-    var phi_1900_: f32;
-    var phi_1902_: f32;
-    var phi_1903_: bool;
-    var phi_1923_: f32;
-    var phi_1924_: f32;
-    var phi_1947_: type_22;
-    var phi_1949_: type_22;
-    var phi_1950_: bool;
-    var phi_1954_: type_22;
-    var phi_1955_: type_22;
-    var phi_1956_: type_22;
-    var phi_1957_: bool;
-    var phi_1961_: type_22;
-    var phi_1962_: bool;
-    var phi_1963_: type_22;
-    var phi_1964_: bool;
-    var phi_1965_: bool;
-    var phi_1966_: type_22;
-    var phi_1967_: bool;
-    var phi_1968_: bool;
-    var phi_1976_: type_22;
-    var phi_1977_: bool;
-    var phi_1981_: type_22;
-    var phi_1992_: type_48;
-    var phi_1993_: type_48;
-    var phi_1006_: type_48;
-    var phi_2530_: bool;
+    var phi_548_: f32;
+    var phi_554_: f32;
+    var phi_594_: f32;
+    var phi_600_: f32;
+    var phi_652_: f32;
+    var phi_664_: f32;
+    var phi_673_: f32;
+    var phi_679_: f32;
+    var phi_719_: f32;
+    var phi_725_: f32;
+    var phi_777_: f32;
+    var phi_789_: f32;
+    var phi_844_: i32;
+    var phi_866_: u32;
+    var phi_867_: u32;
+    var phi_904_: i32;
+    var phi_926_: u32;
+    var phi_927_: u32;
+    var phi_935_: f32;
+    var phi_936_: f32;
+    var phi_2645_: bool;
+    var phi_951_: type_48;
+    var phi_954_: bool;
+    var phi_956_: u32;
+    var phi_958_: u32;
+    var phi_960_: u32;
+    var phi_971_: bool;
+    var phi_1003_: bool;
+    var phi_1004_: u32;
+    var phi_1005_: u32;
+    var phi_2142_: type_47;
+    var phi_2504_: u32;
+    var phi_2532_: u32;
+    var phi_2533_: u32;
+    var phi_2534_: u32;
+    var phi_2536_: u32;
+    var phi_2537_: u32;
+    var phi_2538_: bool;
+    var phi_2547_: u32;
+    var phi_2552_: bool;
+    var phi_2554_: u32;
+    var phi_1020_: type_48;
+    var phi_1023_: type_7;
+    var phi_1024_: type_7;
+    var phi_1046_: type_7;
+    var phi_1067_: u32;
+    var phi_1159_: array<array<f32, 3>, 3>;
+    var phi_1311_: bool;
+    var phi_1340_: bool;
+    var phi_1759_: f32;
+    var phi_1760_: f32;
+    var phi_1761_: f32;
+    var phi_1762_: f32;
+    var phi_1763_: vec3<f32>;
+    var phi_1764_: vec3<f32>;
+    var phi_1765_: vec3<f32>;
+    var phi_1766_: vec3<f32>;
+    var phi_1803_: bool;
+    var phi_1812_: vec3<f32>;
+    var phi_1977_: f32;
+    var phi_1979_: f32;
+    var phi_1980_: bool;
+    var phi_2000_: f32;
+    var phi_2001_: f32;
+    var phi_2024_: type_22;
+    var phi_2026_: type_22;
+    var phi_2027_: bool;
+    var phi_2031_: type_22;
+    var phi_2032_: type_22;
+    var phi_2033_: type_22;
+    var phi_2034_: bool;
+    var phi_2038_: type_22;
+    var phi_2039_: bool;
+    var phi_2040_: type_22;
+    var phi_2041_: bool;
+    var phi_2042_: bool;
+    var phi_2043_: type_22;
+    var phi_2044_: bool;
+    var phi_2045_: bool;
+    var phi_2053_: type_22;
+    var phi_2054_: bool;
+    var phi_2058_: type_22;
+    var phi_2069_: type_48;
+    var phi_2070_: type_48;
+    var phi_1021_: type_48;
+    var phi_2639_: bool;
     var local_2: type_48;
-    var phi_2695_: bool;
-    var phi_2449_: type_48;
-    var phi_2450_: u32;
-    var phi_2451_: bool;
-    var phi_2452_: u32;
-    var phi_2694_: bool;
-    var phi_2453_: type_48;
-    var phi_2454_: u32;
-    var phi_2455_: u32;
-    var phi_2456_: bool;
-    var phi_2457_: u32;
-    var phi_2693_: bool;
-    var phi_2458_: type_48;
-    var phi_2459_: u32;
-    var phi_2460_: u32;
-    var phi_2461_: bool;
-    var phi_2462_: u32;
-    var phi_2692_: bool;
-    var phi_937_: type_48;
-    var phi_940_: u32;
-    var phi_942_: u32;
-    var phi_944_: bool;
-    var phi_946_: u32;
-    var phi_2463_: bool;
-    var phi_2691_: bool;
+    var phi_2804_: bool;
+    var phi_2558_: type_48;
+    var phi_2559_: bool;
+    var phi_2560_: u32;
+    var phi_2561_: u32;
+    var phi_2803_: bool;
+    var phi_2562_: type_48;
+    var phi_2563_: bool;
+    var phi_2564_: u32;
+    var phi_2565_: u32;
+    var phi_2566_: u32;
+    var phi_2802_: bool;
+    var phi_2567_: type_48;
+    var phi_2568_: bool;
+    var phi_2569_: u32;
+    var phi_2570_: u32;
+    var phi_2571_: u32;
+    var phi_2801_: bool;
+    var phi_952_: type_48;
+    var phi_955_: bool;
+    var phi_957_: u32;
+    var phi_959_: u32;
+    var phi_961_: u32;
+    var phi_2572_: bool;
+    var phi_2800_: bool;
     var local_3: type_48;
     var local_4: type_48;
 
@@ -238,11 +238,11 @@ fn function_() {
                     break;
                 }
                 let _e89 = global_4.member[_e84].member_2;
-                phi_187_ = _e89;
+                phi_194_ = _e89;
             } else {
-                phi_187_ = 4294967295u;
+                phi_194_ = 4294967295u;
             }
-            let _e91 = phi_187_;
+            let _e91 = phi_194_;
             if _e85 {
                 let _e92 = (_e84 < arrayLength((&global_5.member)));
                 if _e92 {
@@ -297,203 +297,203 @@ fn function_() {
                         if _e186 {
                             let _e189 = (bitcast<u32>(bitcast<f32>(_e169)) & 2147483647u);
                             if (_e189 >= 8388608u) {
-                                phi_336_ = (bitcast<i32>((_e189 >> bitcast<u32>(23i))) - 127i);
+                                phi_343_ = (bitcast<i32>((_e189 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_336_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e189)), 32u, (_e189 == 0u))));
+                                phi_343_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e189)), 32u, (_e189 == 0u))));
                             }
-                            let _e203 = phi_336_;
-                            phi_337_ = _e203;
+                            let _e203 = phi_343_;
+                            phi_344_ = _e203;
                         } else {
-                            phi_337_ = 0i;
+                            phi_344_ = 0i;
                         }
-                        let _e205 = phi_337_;
+                        let _e205 = phi_344_;
                         let _e206 = (_e125 == _e169);
                         if _e206 {
-                            phi_347_ = true;
+                            phi_354_ = true;
                         } else {
-                            phi_347_ = (_e133 == _e169);
+                            phi_354_ = (_e133 == _e169);
                         }
-                        let _e209 = phi_347_;
+                        let _e209 = phi_354_;
                         let _e210 = select(1u, 0u, _e206);
                         if _e209 {
                             let _e211 = (_e210 + 1u);
-                            phi_357_ = _e211;
-                            phi_358_ = _e211;
-                            phi_360_ = select(true, false, (_e211 == 2u));
+                            phi_364_ = _e211;
+                            phi_365_ = _e211;
+                            phi_367_ = select(true, false, (_e211 == 2u));
                         } else {
-                            phi_357_ = u32();
-                            phi_358_ = 0u;
-                            phi_360_ = true;
-                        }
-                        let _e215 = phi_357_;
-                        let _e217 = phi_358_;
-                        let _e219 = phi_360_;
-                        if _e219 {
-                            phi_365_ = (_e217 + 1u);
-                        } else {
+                            phi_364_ = u32();
                             phi_365_ = 0u;
+                            phi_367_ = true;
                         }
-                        let _e223 = phi_365_;
+                        let _e215 = phi_364_;
+                        let _e217 = phi_365_;
+                        let _e219 = phi_367_;
+                        if _e219 {
+                            phi_372_ = (_e217 + 1u);
+                        } else {
+                            phi_372_ = 0u;
+                        }
+                        let _e223 = phi_372_;
                         let _e224 = select(_e215, _e217, _e219);
                         let _e225 = select(_e210, select(2u, _e210, _e209), _e219);
                         let _e226 = -(_e205);
                         if (_e226 < -126i) {
-                            phi_397_ = -126i;
+                            phi_405_ = -126i;
                         } else {
-                            phi_397_ = select(_e226, 127i, (_e226 > 127i));
+                            phi_405_ = select(_e226, 127i, (_e226 > 127i));
                         }
-                        let _e231 = phi_397_;
+                        let _e231 = phi_405_;
                         let _e236 = bitcast<f32>((bitcast<u32>((_e231 + 127i)) << bitcast<u32>(23i)));
                         let _e242 = bitcast<f32>((bitcast<u32>(((_e226 - _e231) + 127i)) << bitcast<u32>(23i)));
                         let _e247 = global_4.member[_e84].member.member;
                         let _e248 = (_e224 == 0u);
                         if _e248 {
-                            phi_415_ = _e247[0];
+                            phi_423_ = _e247[0];
                         } else {
-                            phi_415_ = _e247[1];
+                            phi_423_ = _e247[1];
                         }
-                        let _e252 = phi_415_;
+                        let _e252 = phi_423_;
                         let _e253 = (_e224 == 2u);
                         if _e253 {
-                            phi_421_ = _e247[2];
+                            phi_429_ = _e247[2];
                         } else {
-                            phi_421_ = _e252;
+                            phi_429_ = _e252;
                         }
-                        let _e256 = phi_421_;
+                        let _e256 = phi_429_;
                         let _e257 = bitcast<u32>(_e256);
                         let _e259 = ((_e257 & 2139095040u) != 0u);
                         let _e271 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e257 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e257 & 2147483648u))), _e256, _e259) * select(0.00000011920929f, 1f, _e259));
                         let _e272 = global_4.member[_e84].member.member_2;
                         if _e248 {
-                            phi_461_ = _e272[0];
+                            phi_469_ = _e272[0];
                         } else {
-                            phi_461_ = _e272[1];
+                            phi_469_ = _e272[1];
                         }
-                        let _e276 = phi_461_;
+                        let _e276 = phi_469_;
                         if _e253 {
-                            phi_467_ = _e272[2];
+                            phi_475_ = _e272[2];
                         } else {
-                            phi_467_ = _e276;
+                            phi_475_ = _e276;
                         }
-                        let _e279 = phi_467_;
+                        let _e279 = phi_475_;
                         let _e280 = bitcast<u32>(_e279);
                         let _e282 = ((_e280 & 2139095040u) != 0u);
                         let _e296 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e280 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e280 & 2147483648u))), _e279, _e282) * _e236) * select(0.00000011920929f, 1f, _e282)) * _e242);
                         let _e300 = (bitcast<f32>((bitcast<u32>(_e296) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e300 {
                             let _e304 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                            phi_519_ = select(0.00000000000011368684f, _e304, (_e304 > 0.00000000000011368684f));
+                            phi_527_ = select(0.00000000000011368684f, _e304, (_e304 > 0.00000000000011368684f));
                         } else {
-                            phi_519_ = 0f;
+                            phi_527_ = 0f;
                         }
-                        let _e308 = phi_519_;
+                        let _e308 = phi_527_;
                         let _e309 = (_e271 + _e308);
                         let _e310 = (_e271 - _e308);
                         let _e311 = select(_e296, 0f, _e300);
                         if _e300 {
-                            phi_530_ = 38685626000000000000000000f;
+                            phi_539_ = 38685626000000000000000000f;
                         } else {
-                            phi_530_ = (1f / _e296);
+                            phi_539_ = (1f / _e296);
                         }
-                        let _e314 = phi_530_;
+                        let _e314 = phi_539_;
                         let _e315 = (_e223 == 0u);
                         if _e315 {
-                            phi_539_ = _e247[0];
+                            phi_548_ = _e247[0];
                         } else {
-                            phi_539_ = _e247[1];
+                            phi_548_ = _e247[1];
                         }
-                        let _e319 = phi_539_;
+                        let _e319 = phi_548_;
                         let _e320 = (_e223 == 2u);
                         if _e320 {
-                            phi_545_ = _e247[2];
+                            phi_554_ = _e247[2];
                         } else {
-                            phi_545_ = _e319;
+                            phi_554_ = _e319;
                         }
-                        let _e323 = phi_545_;
+                        let _e323 = phi_554_;
                         let _e324 = bitcast<u32>(_e323);
                         let _e326 = ((_e324 & 2139095040u) != 0u);
                         let _e338 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e324 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e324 & 2147483648u))), _e323, _e326) * select(0.00000011920929f, 1f, _e326));
                         if _e315 {
-                            phi_585_ = _e272[0];
+                            phi_594_ = _e272[0];
                         } else {
-                            phi_585_ = _e272[1];
+                            phi_594_ = _e272[1];
                         }
-                        let _e342 = phi_585_;
+                        let _e342 = phi_594_;
                         if _e320 {
-                            phi_591_ = _e272[2];
+                            phi_600_ = _e272[2];
                         } else {
-                            phi_591_ = _e342;
+                            phi_600_ = _e342;
                         }
-                        let _e345 = phi_591_;
+                        let _e345 = phi_600_;
                         let _e346 = bitcast<u32>(_e345);
                         let _e348 = ((_e346 & 2139095040u) != 0u);
                         let _e362 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e346 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e346 & 2147483648u))), _e345, _e348) * _e236) * select(0.00000011920929f, 1f, _e348)) * _e242);
                         let _e366 = (bitcast<f32>((bitcast<u32>(_e362) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e366 {
                             let _e370 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) * 0.00000011920929f);
-                            phi_643_ = select(0.00000000000011368684f, _e370, (_e370 > 0.00000000000011368684f));
+                            phi_652_ = select(0.00000000000011368684f, _e370, (_e370 > 0.00000000000011368684f));
                         } else {
-                            phi_643_ = 0f;
+                            phi_652_ = 0f;
                         }
-                        let _e374 = phi_643_;
+                        let _e374 = phi_652_;
                         let _e375 = (_e338 + _e374);
                         let _e376 = (_e338 - _e374);
                         let _e377 = select(_e362, 0f, _e366);
                         if _e366 {
-                            phi_654_ = 38685626000000000000000000f;
+                            phi_664_ = 38685626000000000000000000f;
                         } else {
-                            phi_654_ = (1f / _e362);
+                            phi_664_ = (1f / _e362);
                         }
-                        let _e380 = phi_654_;
+                        let _e380 = phi_664_;
                         let _e381 = (_e225 == 0u);
                         if _e381 {
-                            phi_663_ = _e247[0];
+                            phi_673_ = _e247[0];
                         } else {
-                            phi_663_ = _e247[1];
+                            phi_673_ = _e247[1];
                         }
-                        let _e385 = phi_663_;
+                        let _e385 = phi_673_;
                         let _e386 = (_e225 == 2u);
                         if _e386 {
-                            phi_669_ = _e247[2];
+                            phi_679_ = _e247[2];
                         } else {
-                            phi_669_ = _e385;
+                            phi_679_ = _e385;
                         }
-                        let _e389 = phi_669_;
+                        let _e389 = phi_679_;
                         let _e390 = bitcast<u32>(_e389);
                         let _e392 = ((_e390 & 2139095040u) != 0u);
                         let _e404 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e390 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e390 & 2147483648u))), _e389, _e392) * select(0.00000011920929f, 1f, _e392));
                         if _e381 {
-                            phi_709_ = _e272[0];
+                            phi_719_ = _e272[0];
                         } else {
-                            phi_709_ = _e272[1];
+                            phi_719_ = _e272[1];
                         }
-                        let _e408 = phi_709_;
+                        let _e408 = phi_719_;
                         if _e386 {
-                            phi_715_ = _e272[2];
+                            phi_725_ = _e272[2];
                         } else {
-                            phi_715_ = _e408;
+                            phi_725_ = _e408;
                         }
-                        let _e411 = phi_715_;
+                        let _e411 = phi_725_;
                         let _e412 = bitcast<u32>(_e411);
                         let _e414 = ((_e412 & 2139095040u) != 0u);
                         let _e428 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e411, _e414) * _e236) * select(0.00000011920929f, 1f, _e414)) * _e242);
                         let _e432 = (bitcast<f32>((bitcast<u32>(_e428) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e432 {
                             let _e436 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) * 0.00000011920929f);
-                            phi_767_ = select(0.00000000000011368684f, _e436, (_e436 > 0.00000000000011368684f));
+                            phi_777_ = select(0.00000000000011368684f, _e436, (_e436 > 0.00000000000011368684f));
                         } else {
-                            phi_767_ = 0f;
+                            phi_777_ = 0f;
                         }
-                        let _e440 = phi_767_;
+                        let _e440 = phi_777_;
                         let _e441 = (_e404 + _e440);
                         let _e442 = (_e404 - _e440);
                         let _e443 = select(_e428, 0f, _e432);
                         if _e432 {
-                            phi_778_ = 38685626000000000000000000f;
+                            phi_789_ = 38685626000000000000000000f;
                         } else {
-                            phi_778_ = (1f / _e428);
+                            phi_789_ = (1f / _e428);
                         }
-                        let _e446 = phi_778_;
+                        let _e446 = phi_789_;
                         let _e449 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
                         let _e452 = bitcast<f32>((bitcast<u32>(_e338) & 2147483647u));
                         let _e454 = select(_e452, _e449, (_e449 > _e452));
@@ -504,147 +504,147 @@ fn function_() {
                             let _e476 = (_e469 == 0u);
                             let _e479 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e469)), 32u, _e476)) - 8i);
                             if (_e472 == 255i) {
-                                phi_833_ = 255i;
+                                phi_844_ = 255i;
                             } else {
-                                phi_833_ = (((_e472 + select(0i, 1i, (_e472 == 0i))) - _e479) + _e205);
+                                phi_844_ = (((_e472 + select(0i, 1i, (_e472 == 0i))) - _e479) + _e205);
                             }
-                            let _e487 = phi_833_;
+                            let _e487 = phi_844_;
                             let _e497 = (_e487 <= 0i);
                             if _e497 {
-                                phi_856_ = u32();
+                                phi_867_ = u32();
                             } else {
                                 if _e476 {
-                                    phi_855_ = u32();
+                                    phi_866_ = u32();
                                 } else {
-                                    phi_855_ = select(((bitcast<u32>(_e487) << bitcast<u32>(23i)) | ((_e469 << bitcast<u32>(((_e479 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e487 >= 255i));
+                                    phi_866_ = select(((bitcast<u32>(_e487) << bitcast<u32>(23i)) | ((_e469 << bitcast<u32>(((_e479 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e487 >= 255i));
                                 }
-                                let _e501 = phi_855_;
-                                phi_856_ = _e501;
+                                let _e501 = phi_866_;
+                                phi_867_ = _e501;
                             }
-                            let _e503 = phi_856_;
+                            let _e503 = phi_867_;
                             let _e515 = ((_e182 & 8388607u) | (select(0u, 1u, ((_e182 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e518 = bitcast<i32>((_e182 >> bitcast<u32>(23i)));
                             let _e522 = (_e515 == 0u);
                             let _e525 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e515)), 32u, _e522)) - 8i);
                             if (_e518 == 255i) {
-                                phi_893_ = 255i;
+                                phi_904_ = 255i;
                             } else {
-                                phi_893_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e205);
+                                phi_904_ = (((_e518 + select(0i, 1i, (_e518 == 0i))) - _e525) + _e205);
                             }
-                            let _e533 = phi_893_;
+                            let _e533 = phi_904_;
                             let _e543 = (_e533 <= 0i);
                             if _e543 {
-                                phi_916_ = u32();
+                                phi_927_ = u32();
                             } else {
                                 if _e522 {
-                                    phi_915_ = u32();
+                                    phi_926_ = u32();
                                 } else {
-                                    phi_915_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
+                                    phi_926_ = select(((bitcast<u32>(_e533) << bitcast<u32>(23i)) | ((_e515 << bitcast<u32>(((_e525 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e533 >= 255i));
                                 }
-                                let _e547 = phi_915_;
-                                phi_916_ = _e547;
+                                let _e547 = phi_926_;
+                                phi_927_ = _e547;
                             }
-                            let _e549 = phi_916_;
-                            phi_924_ = bitcast<f32>(((_e181 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
-                            phi_925_ = bitcast<f32>(((_e176 & 2147483648u) | select(_e503, 0u, select(_e476, true, _e497))));
+                            let _e549 = phi_927_;
+                            phi_935_ = bitcast<f32>(((_e181 & 2147483648u) | select(_e549, 0u, select(_e522, true, _e543))));
+                            phi_936_ = bitcast<f32>(((_e176 & 2147483648u) | select(_e503, 0u, select(_e476, true, _e497))));
                         } else {
-                            phi_924_ = 0f;
-                            phi_925_ = 1f;
+                            phi_935_ = 0f;
+                            phi_936_ = 1f;
                         }
-                        let _e555 = phi_924_;
-                        let _e557 = phi_925_;
+                        let _e555 = phi_935_;
+                        let _e557 = phi_936_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2536_ = false;
-                        phi_936_ = type_48(_e555, false);
-                        phi_939_ = select(0u, 2147483648u, (_e72 == 0u));
-                        phi_941_ = ((3u * _e72) + 1u);
-                        phi_943_ = (_e557 <= _e555);
-                        phi_945_ = 0u;
+                        phi_2645_ = false;
+                        phi_951_ = type_48(_e555, false);
+                        phi_954_ = (_e557 <= _e555);
+                        phi_956_ = ((3u * _e72) + 1u);
+                        phi_958_ = 0u;
+                        phi_960_ = select(0u, 2147483648u, (_e72 == 0u));
                         loop {
-                            let _e565 = phi_2536_;
-                            let _e567 = phi_936_;
-                            let _e569 = phi_939_;
-                            let _e571 = phi_941_;
-                            let _e573 = phi_943_;
-                            let _e575 = phi_945_;
+                            let _e565 = phi_2645_;
+                            let _e567 = phi_951_;
+                            let _e569 = phi_954_;
+                            let _e571 = phi_956_;
+                            let _e573 = phi_958_;
+                            let _e575 = phi_960_;
                             local_3 = _e567;
-                            if _e573 {
-                                phi_956_ = true;
+                            if _e569 {
+                                phi_971_ = true;
                             } else {
-                                phi_956_ = (_e575 > 0u);
+                                phi_971_ = (_e573 > 0u);
                             }
-                            let _e578 = phi_956_;
+                            let _e578 = phi_971_;
                             if _e578 {
                                 let _e579 = (_e571 > 0u);
                                 if _e579 {
-                                    if _e573 {
-                                        phi_988_ = _e569;
-                                        phi_989_ = _e573;
-                                        phi_990_ = _e575;
+                                    if _e569 {
+                                        phi_1003_ = _e569;
+                                        phi_1004_ = _e573;
+                                        phi_1005_ = _e575;
                                     } else {
-                                        let _e580 = (_e575 - 1u);
+                                        let _e580 = (_e573 - 1u);
                                         let _e581 = (_e580 % 128u);
                                         let _e582 = (_e581 < 128u);
                                         if _e582 {
                                         } else {
-                                            phi_2691_ = true;
+                                            phi_2800_ = true;
                                             break;
                                         }
                                         let _e584 = local_1[_e581];
                                         if _e582 {
                                         } else {
-                                            phi_2691_ = true;
+                                            phi_2800_ = true;
                                             break;
                                         }
                                         let _e586 = local[_e581];
-                                        phi_988_ = _e584;
-                                        phi_989_ = (_e586 <= _e567.member);
-                                        phi_990_ = _e580;
+                                        phi_1003_ = (_e586 <= _e567.member);
+                                        phi_1004_ = _e580;
+                                        phi_1005_ = _e584;
                                     }
-                                    let _e590 = phi_988_;
-                                    let _e592 = phi_989_;
-                                    let _e594 = phi_990_;
-                                    if _e592 {
-                                        if ((_e590 & 2147483648u) != 0u) {
-                                            phi_1005_ = _e567;
-                                            phi_1008_ = type_7(0u, ((_e590 >> bitcast<u32>(28u)) & 7u));
+                                    let _e590 = phi_1003_;
+                                    let _e592 = phi_1004_;
+                                    let _e594 = phi_1005_;
+                                    if _e590 {
+                                        if ((_e594 & 2147483648u) != 0u) {
+                                            phi_1020_ = _e567;
+                                            phi_1023_ = type_7(0u, ((_e594 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e792 = phi_1005_;
-                                                let _e794 = phi_1008_;
+                                                let _e792 = phi_1020_;
+                                                let _e794 = phi_1023_;
                                                 local_2 = _e792;
                                                 local_4 = _e792;
                                                 if (_e794.member < _e794.member_1) {
-                                                    phi_1009_ = type_7((_e794.member + 1u), _e794.member_1);
-                                                    phi_1031_ = type_7(1u, _e794.member);
+                                                    phi_1024_ = type_7((_e794.member + 1u), _e794.member_1);
+                                                    phi_1046_ = type_7(1u, _e794.member);
                                                 } else {
-                                                    phi_1009_ = _e794;
-                                                    phi_1031_ = type_7(0u, type_7().member_1);
+                                                    phi_1024_ = _e794;
+                                                    phi_1046_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e807 = phi_1009_;
-                                                let _e809 = phi_1031_;
+                                                let _e807 = phi_1024_;
+                                                let _e809 = phi_1046_;
                                                 let _e813 = (bitcast<i32>(_e809.member) != 0i);
                                                 if _e813 {
-                                                    let _e814 = ((_e590 & 268435455u) + _e809.member_1);
+                                                    let _e814 = ((_e594 & 268435455u) + _e809.member_1);
                                                     let _e815 = (_e814 < _e74);
                                                     if _e815 {
                                                         if _e815 {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e819 = global_1.member[_e814].member_1;
-                                                        phi_1052_ = _e819;
+                                                        phi_1067_ = _e819;
                                                     } else {
-                                                        phi_1052_ = 4294967295u;
+                                                        phi_1067_ = 4294967295u;
                                                     }
-                                                    let _e821 = phi_1052_;
+                                                    let _e821 = phi_1067_;
                                                     if (_e814 >= _e74) {
-                                                        phi_1141_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                        phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
                                                         if _e815 {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e823 = (_e224 % 3u);
@@ -652,67 +652,67 @@ fn function_() {
                                                         let _e825 = (_e225 % 3u);
                                                         if (_e823 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e831 = global_1.member[_e814].member[_e823];
                                                         if (_e824 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e837 = global_1.member[_e814].member[_e824];
                                                         if (_e825 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e843 = global_1.member[_e814].member[_e825];
                                                         let _e845 = (3u + _e823);
                                                         if (_e845 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e851 = global_1.member[_e814].member[_e845];
                                                         let _e852 = (3u + _e824);
                                                         if (_e852 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e858 = global_1.member[_e814].member[_e852];
                                                         let _e859 = (3u + _e825);
                                                         if (_e859 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e865 = global_1.member[_e814].member[_e859];
                                                         let _e867 = (6u + _e823);
                                                         if (_e867 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e873 = global_1.member[_e814].member[_e867];
                                                         let _e874 = (6u + _e824);
                                                         if (_e874 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e880 = global_1.member[_e814].member[_e874];
                                                         let _e881 = (6u + _e825);
                                                         if (_e881 < 9u) {
                                                         } else {
-                                                            phi_2530_ = true;
+                                                            phi_2639_ = true;
                                                             break;
                                                         }
                                                         let _e887 = global_1.member[_e814].member[_e881];
-                                                        phi_1141_ = array<array<f32, 3>, 3>(array<f32, 3>(_e831, _e837, _e843), array<f32, 3>(_e851, _e858, _e865), array<f32, 3>(_e873, _e880, _e887));
+                                                        phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(_e831, _e837, _e843), array<f32, 3>(_e851, _e858, _e865), array<f32, 3>(_e873, _e880, _e887));
                                                     }
-                                                    let _e891 = phi_1141_;
+                                                    let _e891 = phi_1159_;
                                                     let _e899 = (_e891[0][2] - _e404);
                                                     let _e902 = (((_e891[0][0] - _e271) * _e443) - (_e899 * _e311));
                                                     let _e905 = (((_e891[0][1] - _e338) * _e443) - (_e899 * _e377));
@@ -739,34 +739,34 @@ fn function_() {
                                                         let _e961 = select(0f, _e959, (_e959 > 0f));
                                                         let _e963 = ((_e953 + _e957) + _e961);
                                                         if (_e963 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1966_ = type_22();
-                                                            phi_1967_ = true;
-                                                            phi_1968_ = false;
+                                                            phi_2043_ = type_22();
+                                                            phi_2044_ = true;
+                                                            phi_2045_ = false;
                                                         } else {
                                                             let _e966 = select(_e915, _e902, (_e902 < _e915));
                                                             if (select(_e928, _e966, (_e966 < _e928)) > 0f) {
-                                                                phi_1258_ = true;
+                                                                phi_1311_ = true;
                                                             } else {
                                                                 let _e971 = select(_e915, _e902, (_e902 > _e915));
-                                                                phi_1258_ = (select(_e928, _e971, (_e971 > _e928)) < 0f);
+                                                                phi_1311_ = (select(_e928, _e971, (_e971 > _e928)) < 0f);
                                                             }
-                                                            let _e976 = phi_1258_;
+                                                            let _e976 = phi_1311_;
                                                             if _e976 {
-                                                                phi_1963_ = type_22();
-                                                                phi_1964_ = true;
-                                                                phi_1965_ = false;
+                                                                phi_2040_ = type_22();
+                                                                phi_2041_ = true;
+                                                                phi_2042_ = false;
                                                             } else {
                                                                 let _e978 = select(_e918, _e905, (_e905 < _e918));
                                                                 if (select(_e931, _e978, (_e978 < _e931)) > 0f) {
-                                                                    phi_1287_ = true;
+                                                                    phi_1340_ = true;
                                                                 } else {
                                                                     let _e983 = select(_e918, _e905, (_e905 > _e918));
-                                                                    phi_1287_ = (select(_e931, _e983, (_e983 > _e931)) < 0f);
+                                                                    phi_1340_ = (select(_e931, _e983, (_e983 > _e931)) < 0f);
                                                                 }
-                                                                let _e988 = phi_1287_;
+                                                                let _e988 = phi_1340_;
                                                                 if _e988 {
-                                                                    phi_1961_ = type_22();
-                                                                    phi_1962_ = false;
+                                                                    phi_2038_ = type_22();
+                                                                    phi_2039_ = false;
                                                                 } else {
                                                                     let _e990 = select(_e891[1][0], _e891[0][0], (_e891[0][0] < _e891[1][0]));
                                                                     let _e994 = select(_e891[1][0], _e891[0][0], (_e891[0][0] > _e891[1][0]));
@@ -793,12 +793,12 @@ fn function_() {
                                                                     let _e1045 = -(_e1026);
                                                                     let _e1051 = select(_e557, _e1036, (_e1036 > _e557));
                                                                     if (_e1051 > (_e1044 + (select(_e1045, _e1028, (_e1028 > _e1045)) * 0.0000019073523f))) {
-                                                                        phi_1956_ = type_22();
-                                                                        phi_1957_ = true;
+                                                                        phi_2033_ = type_22();
+                                                                        phi_2034_ = true;
                                                                     } else {
                                                                         let _e1053 = (_e1051 > _e792.member);
                                                                         if _e1053 {
-                                                                            phi_1955_ = type_22();
+                                                                            phi_2032_ = type_22();
                                                                         } else {
                                                                             let _e1054 = vec3<f32>(_e891[0][0], _e891[0][1], _e891[0][2]);
                                                                             let _e1055 = vec3<f32>(_e891[1][0], _e891[1][1], _e891[1][2]);
@@ -833,49 +833,49 @@ fn function_() {
                                                                             let _e1109 = select(_e1094, _e1081, (_e1081 > _e1094));
                                                                             let _e1111 = select(_e1107, _e1109, (_e1109 > _e1107));
                                                                             if (_e1081 == _e1111) {
-                                                                                phi_1688_ = _e918;
-                                                                                phi_1689_ = _e915;
-                                                                                phi_1690_ = _e905;
-                                                                                phi_1691_ = _e902;
-                                                                                phi_1692_ = _e1054;
-                                                                                phi_1693_ = _e1068;
-                                                                                phi_1694_ = _e1064;
-                                                                                phi_1695_ = _e1060;
+                                                                                phi_1759_ = _e918;
+                                                                                phi_1760_ = _e915;
+                                                                                phi_1761_ = _e905;
+                                                                                phi_1762_ = _e902;
+                                                                                phi_1763_ = _e1054;
+                                                                                phi_1764_ = _e1068;
+                                                                                phi_1765_ = _e1064;
+                                                                                phi_1766_ = _e1060;
                                                                             } else {
                                                                                 let _e1113 = (_e1094 == _e1111);
                                                                                 let _e1118 = vec3(_e1113);
-                                                                                phi_1688_ = select(_e905, _e931, _e1113);
-                                                                                phi_1689_ = select(_e902, _e928, _e1113);
-                                                                                phi_1690_ = select(_e931, _e918, _e1113);
-                                                                                phi_1691_ = select(_e928, _e915, _e1113);
-                                                                                phi_1692_ = select(_e1056, _e1055, _e1118);
-                                                                                phi_1693_ = select(_e1064, _e1060, _e1118);
-                                                                                phi_1694_ = select(_e1060, _e1068, _e1118);
-                                                                                phi_1695_ = select(_e1068, _e1064, _e1118);
+                                                                                phi_1759_ = select(_e905, _e931, _e1113);
+                                                                                phi_1760_ = select(_e902, _e928, _e1113);
+                                                                                phi_1761_ = select(_e931, _e918, _e1113);
+                                                                                phi_1762_ = select(_e928, _e915, _e1113);
+                                                                                phi_1763_ = select(_e1056, _e1055, _e1118);
+                                                                                phi_1764_ = select(_e1064, _e1060, _e1118);
+                                                                                phi_1765_ = select(_e1060, _e1068, _e1118);
+                                                                                phi_1766_ = select(_e1068, _e1064, _e1118);
                                                                             }
-                                                                            let _e1124 = phi_1688_;
-                                                                            let _e1126 = phi_1689_;
-                                                                            let _e1128 = phi_1690_;
-                                                                            let _e1130 = phi_1691_;
-                                                                            let _e1132 = phi_1692_;
-                                                                            let _e1134 = phi_1693_;
-                                                                            let _e1136 = phi_1694_;
-                                                                            let _e1138 = phi_1695_;
+                                                                            let _e1124 = phi_1759_;
+                                                                            let _e1126 = phi_1760_;
+                                                                            let _e1128 = phi_1761_;
+                                                                            let _e1130 = phi_1762_;
+                                                                            let _e1132 = phi_1763_;
+                                                                            let _e1134 = phi_1764_;
+                                                                            let _e1136 = phi_1765_;
+                                                                            let _e1138 = phi_1766_;
                                                                             let _e1145 = ((_e1136.y * _e1134.z) - (_e1134.y * _e1136.z));
                                                                             let _e1150 = ((_e1136.z * _e1134.x) - (_e1134.z * _e1136.x));
                                                                             let _e1153 = ((_e1136.x * _e1134.y) - (_e1134.x * _e1136.y));
                                                                             if (_e953 >= _e957) {
-                                                                                phi_1726_ = select(true, false, (_e953 >= _e961));
+                                                                                phi_1803_ = select(true, false, (_e953 >= _e961));
                                                                             } else {
-                                                                                phi_1726_ = true;
+                                                                                phi_1803_ = true;
                                                                             }
-                                                                            let _e1158 = phi_1726_;
+                                                                            let _e1158 = phi_1803_;
                                                                             if _e1158 {
-                                                                                phi_1735_ = select(_e1056, _e1055, vec3((_e957 >= _e961)));
+                                                                                phi_1812_ = select(_e1056, _e1055, vec3((_e957 >= _e961)));
                                                                             } else {
-                                                                                phi_1735_ = _e1054;
+                                                                                phi_1812_ = _e1054;
                                                                             }
-                                                                            let _e1163 = phi_1735_;
+                                                                            let _e1163 = phi_1812_;
                                                                             let _e1174 = (((_e1145 * (_e1163.x - _e271)) + (_e1150 * (_e1163.y - _e338))) + (_e1153 * (_e1163.z - _e404)));
                                                                             let _e1179 = (((_e1145 * _e311) + (_e1150 * _e377)) + (_e1153 * _e443));
                                                                             let _e1180 = (_e1126 - _e1130);
@@ -907,170 +907,170 @@ fn function_() {
                                                                                 let _e1277 = bitcast<f32>((bitcast<u32>(_e1134.z) & 2147483647u));
                                                                                 let _e1281 = (bitcast<f32>((bitcast<u32>(_e1179) & 2147483647u)) > ((0.0000038146973f * select(_e1263, _e1260, (_e1260 > _e1263))) * select(_e1277, _e1274, (_e1274 > _e1277))));
                                                                                 if _e1281 {
-                                                                                    phi_1900_ = (_e1174 / _e1179);
+                                                                                    phi_1977_ = (_e1174 / _e1179);
                                                                                 } else {
-                                                                                    phi_1900_ = f32();
+                                                                                    phi_1977_ = f32();
                                                                                 }
-                                                                                let _e1284 = phi_1900_;
-                                                                                phi_1902_ = _e1284;
-                                                                                phi_1903_ = select(true, false, _e1281);
+                                                                                let _e1284 = phi_1977_;
+                                                                                phi_1979_ = _e1284;
+                                                                                phi_1980_ = select(true, false, _e1281);
                                                                             } else {
-                                                                                phi_1902_ = f32();
-                                                                                phi_1903_ = true;
+                                                                                phi_1979_ = f32();
+                                                                                phi_1980_ = true;
                                                                             }
-                                                                            let _e1287 = phi_1902_;
-                                                                            let _e1289 = phi_1903_;
+                                                                            let _e1287 = phi_1979_;
+                                                                            let _e1289 = phi_1980_;
                                                                             if _e1289 {
                                                                                 let _e1297 = (((_e1145 * (_e1206 - (_e311 * _e1209))) + (_e1150 * (_e1207 - (_e377 * _e1209)))) / _e1179);
                                                                                 if (bitcast<f32>((bitcast<u32>(_e1297) & 2147483647u)) <= _e1111) {
-                                                                                    phi_1923_ = (_e1209 + _e1297);
+                                                                                    phi_2000_ = (_e1209 + _e1297);
                                                                                 } else {
-                                                                                    phi_1923_ = _e1209;
+                                                                                    phi_2000_ = _e1209;
                                                                                 }
-                                                                                let _e1304 = phi_1923_;
-                                                                                phi_1924_ = _e1304;
+                                                                                let _e1304 = phi_2000_;
+                                                                                phi_2001_ = _e1304;
                                                                             } else {
-                                                                                phi_1924_ = _e1287;
+                                                                                phi_2001_ = _e1287;
                                                                             }
-                                                                            let _e1306 = phi_1924_;
+                                                                            let _e1306 = phi_2001_;
                                                                             let _e1308 = select(_e1044, _e1306, (_e1306 < _e1044));
                                                                             let _e1310 = select(_e1036, _e1308, (_e1308 > _e1036));
                                                                             if (_e1310 >= _e557) {
                                                                                 let _e1312 = (_e1310 <= _e792.member);
                                                                                 if _e1312 {
                                                                                     let _e1313 = (1f / _e963);
-                                                                                    phi_1947_ = type_22(_e1310, (_e957 * _e1313), (_e961 * _e1313), _e821);
+                                                                                    phi_2024_ = type_22(_e1310, (_e957 * _e1313), (_e961 * _e1313), _e821);
                                                                                 } else {
-                                                                                    phi_1947_ = type_22();
+                                                                                    phi_2024_ = type_22();
                                                                                 }
-                                                                                let _e1318 = phi_1947_;
-                                                                                phi_1949_ = _e1318;
-                                                                                phi_1950_ = select(true, false, _e1312);
+                                                                                let _e1318 = phi_2024_;
+                                                                                phi_2026_ = _e1318;
+                                                                                phi_2027_ = select(true, false, _e1312);
                                                                             } else {
-                                                                                phi_1949_ = type_22();
-                                                                                phi_1950_ = true;
+                                                                                phi_2026_ = type_22();
+                                                                                phi_2027_ = true;
                                                                             }
-                                                                            let _e1321 = phi_1949_;
-                                                                            let _e1323 = phi_1950_;
+                                                                            let _e1321 = phi_2026_;
+                                                                            let _e1323 = phi_2027_;
                                                                             if _e1323 {
-                                                                                phi_1954_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                                phi_2031_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_1954_ = _e1321;
+                                                                                phi_2031_ = _e1321;
                                                                             }
-                                                                            let _e1325 = phi_1954_;
-                                                                            phi_1955_ = _e1325;
+                                                                            let _e1325 = phi_2031_;
+                                                                            phi_2032_ = _e1325;
                                                                         }
-                                                                        let _e1327 = phi_1955_;
-                                                                        phi_1956_ = _e1327;
-                                                                        phi_1957_ = _e1053;
+                                                                        let _e1327 = phi_2032_;
+                                                                        phi_2033_ = _e1327;
+                                                                        phi_2034_ = _e1053;
                                                                     }
-                                                                    let _e1329 = phi_1956_;
-                                                                    let _e1331 = phi_1957_;
-                                                                    phi_1961_ = _e1329;
-                                                                    phi_1962_ = _e1331;
+                                                                    let _e1329 = phi_2033_;
+                                                                    let _e1331 = phi_2034_;
+                                                                    phi_2038_ = _e1329;
+                                                                    phi_2039_ = _e1331;
                                                                 }
-                                                                let _e1333 = phi_1961_;
-                                                                let _e1335 = phi_1962_;
-                                                                phi_1963_ = _e1333;
-                                                                phi_1964_ = _e988;
-                                                                phi_1965_ = _e1335;
+                                                                let _e1333 = phi_2038_;
+                                                                let _e1335 = phi_2039_;
+                                                                phi_2040_ = _e1333;
+                                                                phi_2041_ = _e988;
+                                                                phi_2042_ = _e1335;
                                                             }
-                                                            let _e1337 = phi_1963_;
-                                                            let _e1339 = phi_1964_;
-                                                            let _e1341 = phi_1965_;
-                                                            phi_1966_ = _e1337;
-                                                            phi_1967_ = _e1339;
-                                                            phi_1968_ = _e1341;
+                                                            let _e1337 = phi_2040_;
+                                                            let _e1339 = phi_2041_;
+                                                            let _e1341 = phi_2042_;
+                                                            phi_2043_ = _e1337;
+                                                            phi_2044_ = _e1339;
+                                                            phi_2045_ = _e1341;
                                                         }
-                                                        let _e1343 = phi_1966_;
-                                                        let _e1345 = phi_1967_;
-                                                        let _e1347 = phi_1968_;
-                                                        phi_1976_ = _e1343;
-                                                        phi_1977_ = select(_e1347, true, _e1345);
+                                                        let _e1343 = phi_2043_;
+                                                        let _e1345 = phi_2044_;
+                                                        let _e1347 = phi_2045_;
+                                                        phi_2053_ = _e1343;
+                                                        phi_2054_ = select(_e1347, true, _e1345);
                                                     } else {
-                                                        phi_1976_ = type_22();
-                                                        phi_1977_ = true;
+                                                        phi_2053_ = type_22();
+                                                        phi_2054_ = true;
                                                     }
-                                                    let _e1350 = phi_1976_;
-                                                    let _e1352 = phi_1977_;
+                                                    let _e1350 = phi_2053_;
+                                                    let _e1352 = phi_2054_;
                                                     if _e1352 {
-                                                        phi_1981_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_2058_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1981_ = _e1350;
+                                                        phi_2058_ = _e1350;
                                                     }
-                                                    let _e1354 = phi_1981_;
+                                                    let _e1354 = phi_2058_;
                                                     if (_e1354.member_3 != 4294967295u) {
                                                         if (_e821 != _e91) {
-                                                            phi_1992_ = type_48(_e792.member, true);
+                                                            phi_2069_ = type_48(_e792.member, true);
                                                         } else {
-                                                            phi_1992_ = _e792;
+                                                            phi_2069_ = _e792;
                                                         }
-                                                        let _e1362 = phi_1992_;
-                                                        phi_1993_ = _e1362;
+                                                        let _e1362 = phi_2069_;
+                                                        phi_2070_ = _e1362;
                                                     } else {
-                                                        phi_1993_ = _e792;
+                                                        phi_2070_ = _e792;
                                                     }
-                                                    let _e1364 = phi_1993_;
-                                                    phi_1006_ = _e1364;
+                                                    let _e1364 = phi_2070_;
+                                                    phi_1021_ = _e1364;
                                                 } else {
-                                                    phi_1006_ = type_48();
+                                                    phi_1021_ = type_48();
                                                 }
-                                                let _e1366 = phi_1006_;
+                                                let _e1366 = phi_1021_;
                                                 continue;
                                                 continuing {
-                                                    phi_1005_ = _e1366;
-                                                    phi_1008_ = _e807;
-                                                    phi_2530_ = _e565;
+                                                    phi_1020_ = _e1366;
+                                                    phi_1023_ = _e807;
+                                                    phi_2639_ = _e565;
                                                     break if !(_e813);
                                                 }
                                             }
-                                            let _e1369 = phi_2530_;
-                                            phi_2691_ = _e1369;
+                                            let _e1369 = phi_2639_;
+                                            phi_2800_ = _e1369;
                                             if _e1369 {
                                                 break;
                                             }
                                             let _e1371 = local_2;
-                                            phi_2695_ = _e1369;
+                                            phi_2804_ = _e1369;
                                             let _e1562 = local_4;
-                                            phi_2449_ = _e1562;
-                                            phi_2450_ = _e590;
-                                            phi_2451_ = false;
-                                            phi_2452_ = select(_e594, 0u, _e1371.member_1);
+                                            phi_2558_ = _e1562;
+                                            phi_2559_ = false;
+                                            phi_2560_ = select(_e592, 0u, _e1371.member_1);
+                                            phi_2561_ = _e594;
                                         } else {
-                                            if (_e590 >= _e72) {
-                                                phi_2054_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e594 >= _e72) {
+                                                phi_2142_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e590 < _e72) {
+                                                if (_e594 < _e72) {
                                                 } else {
-                                                    phi_2691_ = true;
+                                                    phi_2800_ = true;
                                                     break;
                                                 }
                                                 let _e604 = (_e224 % 3u);
                                                 if (_e604 < 3u) {
                                                 } else {
-                                                    phi_2691_ = true;
+                                                    phi_2800_ = true;
                                                     break;
                                                 }
-                                                let _e610 = global_2.member[_e590].member[_e604];
+                                                let _e610 = global_2.member[_e594].member[_e604];
                                                 let _e616 = (_e223 % 3u);
                                                 if (_e616 < 3u) {
                                                 } else {
-                                                    phi_2691_ = true;
+                                                    phi_2800_ = true;
                                                     break;
                                                 }
-                                                let _e622 = global_2.member[_e590].member[_e616];
+                                                let _e622 = global_2.member[_e594].member[_e616];
                                                 let _e628 = (_e225 % 3u);
                                                 if (_e628 < 3u) {
                                                 } else {
-                                                    phi_2691_ = true;
+                                                    phi_2800_ = true;
                                                     break;
                                                 }
-                                                let _e634 = global_2.member[_e590].member[_e628];
-                                                let _e644 = global_2.member[_e590].member_1;
-                                                let _e648 = global_2.member[_e590].member_2;
-                                                phi_2054_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e610[0], _e610[1], _e610[2], _e610[3]), vec4<f32>(_e622[0], _e622[1], _e622[2], _e622[3]), vec4<f32>(_e634[0], _e634[1], _e634[2], _e634[3])), _e644, _e648);
+                                                let _e634 = global_2.member[_e594].member[_e628];
+                                                let _e644 = global_2.member[_e594].member_1;
+                                                let _e648 = global_2.member[_e594].member_2;
+                                                phi_2142_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e610[0], _e610[1], _e610[2], _e610[3]), vec4<f32>(_e622[0], _e622[1], _e622[2], _e622[3]), vec4<f32>(_e634[0], _e634[1], _e634[2], _e634[3])), _e644, _e648);
                                             }
-                                            let _e651 = phi_2054_;
+                                            let _e651 = phi_2142_;
                                             let _e663 = ((_e651.member[0].x - _e309) * _e314);
                                             let _e664 = ((_e651.member[0].y - _e309) * _e314);
                                             let _e665 = ((_e651.member[0].z - _e310) * _e314);
@@ -1113,152 +1113,152 @@ fn function_() {
                                             if _e751 {
                                                 if _e752 {
                                                     if _e753 {
-                                                        phi_2398_ = _e651.member_2;
+                                                        phi_2504_ = _e651.member_2;
                                                     } else {
-                                                        phi_2398_ = _e651.member_1;
+                                                        phi_2504_ = _e651.member_1;
                                                     }
-                                                    let _e757 = phi_2398_;
-                                                    let _e760 = (_e594 % 128u);
+                                                    let _e757 = phi_2504_;
+                                                    let _e760 = (_e592 % 128u);
                                                     let _e761 = (_e760 < 128u);
                                                     if _e761 {
                                                     } else {
-                                                        phi_2691_ = true;
+                                                        phi_2800_ = true;
                                                         break;
                                                     }
                                                     local_1[_e760] = _e757;
                                                     if _e761 {
                                                     } else {
-                                                        phi_2691_ = true;
+                                                        phi_2800_ = true;
                                                         break;
                                                     }
-                                                    local[_e760] = select(_e746, _e744, (_e744 > _e746));
+                                                    local[_e760] = select(_e746, _e744, !(_e753));
                                                     if _e753 {
-                                                        phi_2426_ = _e651.member_1;
+                                                        phi_2532_ = _e651.member_1;
                                                     } else {
-                                                        phi_2426_ = _e651.member_2;
+                                                        phi_2532_ = _e651.member_2;
                                                     }
-                                                    let _e768 = phi_2426_;
-                                                    phi_2427_ = _e768;
-                                                    phi_2428_ = (_e594 + 1u);
+                                                    let _e768 = phi_2532_;
+                                                    phi_2533_ = (_e592 + 1u);
+                                                    phi_2534_ = _e768;
                                                 } else {
-                                                    phi_2427_ = u32();
-                                                    phi_2428_ = u32();
+                                                    phi_2533_ = u32();
+                                                    phi_2534_ = u32();
                                                 }
-                                                let _e770 = phi_2427_;
-                                                let _e772 = phi_2428_;
-                                                phi_2430_ = _e770;
-                                                phi_2431_ = _e772;
-                                                phi_2432_ = select(true, false, _e752);
+                                                let _e770 = phi_2533_;
+                                                let _e772 = phi_2534_;
+                                                phi_2536_ = _e770;
+                                                phi_2537_ = _e772;
+                                                phi_2538_ = select(true, false, _e752);
                                             } else {
-                                                phi_2430_ = u32();
-                                                phi_2431_ = u32();
-                                                phi_2432_ = true;
+                                                phi_2536_ = u32();
+                                                phi_2537_ = u32();
+                                                phi_2538_ = true;
                                             }
-                                            let _e775 = phi_2430_;
-                                            let _e777 = phi_2431_;
-                                            let _e779 = phi_2432_;
+                                            let _e775 = phi_2536_;
+                                            let _e777 = phi_2537_;
+                                            let _e779 = phi_2538_;
                                             if _e779 {
                                                 if _e751 {
-                                                    phi_2441_ = _e651.member_1;
+                                                    phi_2547_ = _e651.member_1;
                                                 } else {
-                                                    phi_2441_ = _e651.member_2;
+                                                    phi_2547_ = _e651.member_2;
                                                 }
-                                                let _e783 = phi_2441_;
-                                                phi_2446_ = _e783;
-                                                phi_2447_ = select(_e752, true, _e751);
+                                                let _e783 = phi_2547_;
+                                                phi_2552_ = select(_e752, true, _e751);
+                                                phi_2554_ = _e783;
                                             } else {
-                                                phi_2446_ = _e775;
-                                                phi_2447_ = _e592;
+                                                phi_2552_ = _e590;
+                                                phi_2554_ = _e777;
                                             }
-                                            let _e786 = phi_2446_;
-                                            let _e788 = phi_2447_;
-                                            phi_2695_ = _e565;
-                                            phi_2449_ = _e567;
-                                            phi_2450_ = _e786;
-                                            phi_2451_ = _e788;
-                                            phi_2452_ = select(_e777, _e594, _e779);
+                                            let _e786 = phi_2552_;
+                                            let _e788 = phi_2554_;
+                                            phi_2804_ = _e565;
+                                            phi_2558_ = _e567;
+                                            phi_2559_ = _e786;
+                                            phi_2560_ = select(_e775, _e592, _e779);
+                                            phi_2561_ = _e788;
                                         }
-                                        let _e1375 = phi_2695_;
-                                        let _e1377 = phi_2449_;
-                                        let _e1379 = phi_2450_;
-                                        let _e1381 = phi_2451_;
-                                        let _e1383 = phi_2452_;
-                                        phi_2694_ = _e1375;
-                                        phi_2453_ = _e1377;
-                                        phi_2454_ = _e1379;
-                                        phi_2455_ = (_e571 - 1u);
-                                        phi_2456_ = _e1381;
-                                        phi_2457_ = _e1383;
+                                        let _e1375 = phi_2804_;
+                                        let _e1377 = phi_2558_;
+                                        let _e1379 = phi_2559_;
+                                        let _e1381 = phi_2560_;
+                                        let _e1383 = phi_2561_;
+                                        phi_2803_ = _e1375;
+                                        phi_2562_ = _e1377;
+                                        phi_2563_ = _e1379;
+                                        phi_2564_ = (_e571 - 1u);
+                                        phi_2565_ = _e1381;
+                                        phi_2566_ = _e1383;
                                     } else {
-                                        phi_2694_ = _e565;
-                                        phi_2453_ = _e567;
-                                        phi_2454_ = _e590;
-                                        phi_2455_ = _e571;
-                                        phi_2456_ = _e592;
-                                        phi_2457_ = _e594;
+                                        phi_2803_ = _e565;
+                                        phi_2562_ = _e567;
+                                        phi_2563_ = _e590;
+                                        phi_2564_ = _e571;
+                                        phi_2565_ = _e592;
+                                        phi_2566_ = _e594;
                                     }
-                                    let _e1385 = phi_2694_;
-                                    let _e1387 = phi_2453_;
-                                    let _e1389 = phi_2454_;
-                                    let _e1391 = phi_2455_;
-                                    let _e1393 = phi_2456_;
-                                    let _e1395 = phi_2457_;
-                                    phi_2693_ = _e1385;
-                                    phi_2458_ = _e1387;
-                                    phi_2459_ = _e1389;
-                                    phi_2460_ = _e1391;
-                                    phi_2461_ = _e1393;
-                                    phi_2462_ = _e1395;
+                                    let _e1385 = phi_2803_;
+                                    let _e1387 = phi_2562_;
+                                    let _e1389 = phi_2563_;
+                                    let _e1391 = phi_2564_;
+                                    let _e1393 = phi_2565_;
+                                    let _e1395 = phi_2566_;
+                                    phi_2802_ = _e1385;
+                                    phi_2567_ = _e1387;
+                                    phi_2568_ = _e1389;
+                                    phi_2569_ = _e1391;
+                                    phi_2570_ = _e1393;
+                                    phi_2571_ = _e1395;
                                 } else {
-                                    phi_2693_ = _e565;
-                                    phi_2458_ = type_48();
-                                    phi_2459_ = u32();
-                                    phi_2460_ = u32();
-                                    phi_2461_ = bool();
-                                    phi_2462_ = u32();
+                                    phi_2802_ = _e565;
+                                    phi_2567_ = type_48();
+                                    phi_2568_ = bool();
+                                    phi_2569_ = u32();
+                                    phi_2570_ = u32();
+                                    phi_2571_ = u32();
                                 }
-                                let _e1397 = phi_2693_;
-                                let _e1399 = phi_2458_;
-                                let _e1401 = phi_2459_;
-                                let _e1403 = phi_2460_;
-                                let _e1405 = phi_2461_;
-                                let _e1407 = phi_2462_;
-                                phi_2692_ = _e1397;
-                                phi_937_ = _e1399;
-                                phi_940_ = _e1401;
-                                phi_942_ = _e1403;
-                                phi_944_ = _e1405;
-                                phi_946_ = _e1407;
-                                phi_2463_ = _e579;
+                                let _e1397 = phi_2802_;
+                                let _e1399 = phi_2567_;
+                                let _e1401 = phi_2568_;
+                                let _e1403 = phi_2569_;
+                                let _e1405 = phi_2570_;
+                                let _e1407 = phi_2571_;
+                                phi_2801_ = _e1397;
+                                phi_952_ = _e1399;
+                                phi_955_ = _e1401;
+                                phi_957_ = _e1403;
+                                phi_959_ = _e1405;
+                                phi_961_ = _e1407;
+                                phi_2572_ = _e579;
                             } else {
-                                phi_2692_ = _e565;
-                                phi_937_ = type_48();
-                                phi_940_ = u32();
-                                phi_942_ = u32();
-                                phi_944_ = bool();
-                                phi_946_ = u32();
-                                phi_2463_ = false;
+                                phi_2801_ = _e565;
+                                phi_952_ = type_48();
+                                phi_955_ = bool();
+                                phi_957_ = u32();
+                                phi_959_ = u32();
+                                phi_961_ = u32();
+                                phi_2572_ = false;
                             }
-                            let _e1409 = phi_2692_;
-                            let _e1411 = phi_937_;
-                            let _e1413 = phi_940_;
-                            let _e1415 = phi_942_;
-                            let _e1417 = phi_944_;
-                            let _e1419 = phi_946_;
-                            let _e1421 = phi_2463_;
+                            let _e1409 = phi_2801_;
+                            let _e1411 = phi_952_;
+                            let _e1413 = phi_955_;
+                            let _e1415 = phi_957_;
+                            let _e1417 = phi_959_;
+                            let _e1419 = phi_961_;
+                            let _e1421 = phi_2572_;
                             continue;
                             continuing {
-                                phi_2536_ = _e1409;
-                                phi_936_ = _e1411;
-                                phi_939_ = _e1413;
-                                phi_941_ = _e1415;
-                                phi_943_ = _e1417;
-                                phi_945_ = _e1419;
-                                phi_2691_ = _e1409;
+                                phi_2645_ = _e1409;
+                                phi_951_ = _e1411;
+                                phi_954_ = _e1413;
+                                phi_956_ = _e1415;
+                                phi_958_ = _e1417;
+                                phi_960_ = _e1419;
+                                phi_2800_ = _e1409;
                                 break if !(_e1421);
                             }
                         }
-                        let _e1424 = phi_2691_;
+                        let _e1424 = phi_2800_;
                         if _e1424 {
                             break;
                         }

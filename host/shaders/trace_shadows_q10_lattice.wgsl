@@ -124,188 +124,188 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_337_: u32;
-    var phi_381_: i32;
-    var phi_521_: type_40;
-    var phi_671_: i32;
-    var phi_672_: i32;
-    var phi_682_: bool;
-    var phi_692_: u32;
-    var phi_693_: u32;
-    var phi_695_: bool;
-    var phi_700_: u32;
-    var phi_732_: i32;
-    var phi_750_: f32;
-    var phi_756_: f32;
-    var phi_796_: f32;
-    var phi_802_: f32;
-    var phi_854_: f32;
-    var phi_865_: f32;
-    var phi_874_: f32;
-    var phi_880_: f32;
-    var phi_920_: f32;
-    var phi_926_: f32;
-    var phi_978_: f32;
-    var phi_989_: f32;
+    var phi_343_: u32;
+    var phi_387_: i32;
+    var phi_527_: type_40;
+    var phi_677_: i32;
+    var phi_678_: i32;
+    var phi_688_: bool;
+    var phi_698_: u32;
+    var phi_699_: u32;
+    var phi_701_: bool;
+    var phi_706_: u32;
+    var phi_739_: i32;
+    var phi_757_: f32;
+    var phi_763_: f32;
+    var phi_803_: f32;
+    var phi_809_: f32;
+    var phi_861_: f32;
+    var phi_873_: f32;
+    var phi_882_: f32;
+    var phi_888_: f32;
+    var phi_928_: f32;
+    var phi_934_: f32;
+    var phi_986_: f32;
     var phi_998_: f32;
-    var phi_1004_: f32;
-    var phi_1044_: f32;
-    var phi_1050_: f32;
-    var phi_1102_: f32;
-    var phi_1113_: f32;
-    var phi_1168_: i32;
-    var phi_1190_: u32;
-    var phi_1191_: u32;
-    var phi_1228_: i32;
-    var phi_1250_: u32;
-    var phi_1251_: u32;
-    var phi_1259_: f32;
-    var phi_1260_: f32;
-    var phi_4901_: bool;
-    var phi_1349_: type_46;
-    var phi_1352_: type_58;
-    var phi_1354_: u32;
-    var phi_1356_: bool;
-    var phi_1358_: u32;
+    var phi_1007_: f32;
+    var phi_1013_: f32;
+    var phi_1053_: f32;
+    var phi_1059_: f32;
+    var phi_1111_: f32;
+    var phi_1123_: f32;
+    var phi_1178_: i32;
+    var phi_1200_: u32;
+    var phi_1201_: u32;
+    var phi_1238_: i32;
+    var phi_1260_: u32;
+    var phi_1261_: u32;
+    var phi_1269_: f32;
+    var phi_1270_: f32;
+    var phi_5042_: bool;
+    var phi_1366_: type_46;
     var phi_1369_: bool;
-    var phi_1455_: type_58;
-    var phi_1456_: bool;
-    var phi_1457_: u32;
-    var phi_3886_: u32;
-    var phi_3892_: u32;
-    var phi_4146_: u32;
-    var phi_4147_: u32;
-    var phi_4157_: u32;
-    var phi_4159_: u32;
-    var phi_4160_: bool;
-    var phi_4180_: u32;
-    var phi_4181_: u32;
-    var phi_4185_: type_59;
-    var phi_4529_: type_58;
-    var phi_4606_: type_58;
-    var phi_4607_: type_58;
-    var phi_4608_: u32;
-    var phi_4610_: type_58;
-    var phi_4611_: u32;
-    var phi_4612_: bool;
-    var phi_4621_: type_58;
-    var phi_4626_: type_58;
-    var phi_4627_: bool;
-    var phi_1476_: type_46;
-    var phi_1479_: type_8;
-    var phi_1480_: type_8;
-    var phi_1502_: type_8;
-    var phi_1543_: u32;
-    var phi_1549_: u32;
-    var phi_1559_: u32;
-    var phi_1575_: u32;
-    var phi_1608_: u32;
-    var phi_1614_: u32;
-    var phi_2059_: u32;
-    var phi_2077_: u32;
-    var phi_2095_: u32;
+    var phi_1371_: u32;
+    var phi_1373_: u32;
+    var phi_1375_: type_58;
+    var phi_1386_: bool;
+    var phi_1472_: bool;
+    var phi_1473_: u32;
+    var phi_1474_: type_58;
+    var phi_4006_: u32;
+    var phi_4012_: u32;
+    var phi_4266_: u32;
+    var phi_4267_: u32;
+    var phi_4277_: u32;
+    var phi_4279_: u32;
+    var phi_4280_: bool;
+    var phi_4300_: u32;
+    var phi_4301_: u32;
+    var phi_4305_: type_59;
+    var phi_4667_: type_58;
+    var phi_4744_: type_58;
+    var phi_4745_: u32;
+    var phi_4746_: type_58;
+    var phi_4748_: u32;
+    var phi_4749_: type_58;
+    var phi_4750_: bool;
+    var phi_4759_: type_58;
+    var phi_4764_: bool;
+    var phi_4766_: type_58;
+    var phi_1493_: type_46;
+    var phi_1496_: type_8;
+    var phi_1497_: type_8;
+    var phi_1519_: type_8;
+    var phi_1560_: u32;
+    var phi_1566_: u32;
+    var phi_1576_: u32;
+    var phi_1592_: u32;
+    var phi_1625_: u32;
+    var phi_1631_: u32;
+    var phi_2097_: u32;
     var phi_2115_: u32;
     var phi_2133_: u32;
-    var phi_2151_: u32;
-    var phi_2171_: u32;
-    var phi_2189_: u32;
-    var phi_2207_: u32;
-    var phi_1776_: u32;
-    var phi_1791_: u32;
-    var phi_1801_: u32;
-    var phi_1822_: u32;
-    var phi_1843_: u32;
-    var phi_1870_: u32;
-    var phi_1885_: u32;
-    var phi_1895_: u32;
-    var phi_1916_: u32;
-    var phi_1937_: u32;
-    var phi_1964_: u32;
-    var phi_1979_: u32;
-    var phi_1989_: u32;
-    var phi_2010_: u32;
-    var phi_2031_: u32;
-    var phi_1638_: u32;
-    var phi_1684_: u32;
-    var phi_1730_: u32;
-    var phi_2213_: array<array<f32, 3>, 3>;
-    var phi_2330_: bool;
-    var phi_2359_: bool;
-    var phi_2760_: f32;
-    var phi_2761_: f32;
-    var phi_2762_: f32;
-    var phi_2763_: f32;
-    var phi_2764_: vec3<f32>;
-    var phi_2765_: vec3<f32>;
-    var phi_2766_: vec3<f32>;
-    var phi_2767_: vec3<f32>;
-    var phi_2798_: bool;
-    var phi_2807_: vec3<f32>;
-    var phi_2972_: f32;
-    var phi_2974_: f32;
-    var phi_2975_: bool;
-    var phi_2995_: f32;
-    var phi_2996_: f32;
-    var phi_3019_: type_25;
-    var phi_3021_: type_25;
-    var phi_3022_: bool;
-    var phi_3026_: type_25;
-    var phi_3027_: type_25;
-    var phi_3028_: type_25;
-    var phi_3029_: bool;
-    var phi_3033_: type_25;
-    var phi_3034_: bool;
-    var phi_3035_: type_25;
-    var phi_3036_: bool;
-    var phi_3037_: bool;
-    var phi_3038_: type_25;
-    var phi_3039_: bool;
-    var phi_3040_: bool;
-    var phi_3048_: type_25;
-    var phi_3049_: bool;
-    var phi_3053_: type_25;
-    var phi_3076_: u32;
-    var phi_3090_: i32;
-    var phi_3110_: vec3<f32>;
-    var phi_3111_: vec3<f32>;
-    var phi_3127_: vec3<f32>;
-    var phi_3128_: vec3<f32>;
-    var phi_3144_: vec3<f32>;
-    var phi_3145_: vec3<f32>;
-    var phi_3181_: vec3<f32>;
-    var phi_3363_: f32;
-    var phi_3381_: bool;
-    var phi_3382_: bool;
-    var phi_3387_: type_46;
-    var phi_3388_: type_46;
-    var phi_1477_: type_46;
-    var phi_4895_: bool;
+    var phi_2156_: u32;
+    var phi_2174_: u32;
+    var phi_2192_: u32;
+    var phi_2215_: u32;
+    var phi_2233_: u32;
+    var phi_2251_: u32;
+    var phi_1805_: u32;
+    var phi_1820_: u32;
+    var phi_1830_: u32;
+    var phi_1851_: u32;
+    var phi_1872_: u32;
+    var phi_1902_: u32;
+    var phi_1917_: u32;
+    var phi_1927_: u32;
+    var phi_1948_: u32;
+    var phi_1969_: u32;
+    var phi_1999_: u32;
+    var phi_2014_: u32;
+    var phi_2024_: u32;
+    var phi_2045_: u32;
+    var phi_2066_: u32;
+    var phi_1658_: u32;
+    var phi_1707_: u32;
+    var phi_1756_: u32;
+    var phi_2257_: array<array<f32, 3>, 3>;
+    var phi_2409_: bool;
+    var phi_2438_: bool;
+    var phi_2857_: f32;
+    var phi_2858_: f32;
+    var phi_2859_: f32;
+    var phi_2860_: f32;
+    var phi_2861_: vec3<f32>;
+    var phi_2862_: vec3<f32>;
+    var phi_2863_: vec3<f32>;
+    var phi_2864_: vec3<f32>;
+    var phi_2901_: bool;
+    var phi_2910_: vec3<f32>;
+    var phi_3075_: f32;
+    var phi_3077_: f32;
+    var phi_3078_: bool;
+    var phi_3098_: f32;
+    var phi_3099_: f32;
+    var phi_3122_: type_25;
+    var phi_3124_: type_25;
+    var phi_3125_: bool;
+    var phi_3129_: type_25;
+    var phi_3130_: type_25;
+    var phi_3131_: type_25;
+    var phi_3132_: bool;
+    var phi_3136_: type_25;
+    var phi_3137_: bool;
+    var phi_3138_: type_25;
+    var phi_3139_: bool;
+    var phi_3140_: bool;
+    var phi_3141_: type_25;
+    var phi_3142_: bool;
+    var phi_3143_: bool;
+    var phi_3151_: type_25;
+    var phi_3152_: bool;
+    var phi_3156_: type_25;
+    var phi_3179_: u32;
+    var phi_3193_: i32;
+    var phi_3215_: vec3<f32>;
+    var phi_3216_: vec3<f32>;
+    var phi_3234_: vec3<f32>;
+    var phi_3235_: vec3<f32>;
+    var phi_3253_: vec3<f32>;
+    var phi_3254_: vec3<f32>;
+    var phi_3290_: vec3<f32>;
+    var phi_3472_: f32;
+    var phi_3490_: bool;
+    var phi_3491_: bool;
+    var phi_3496_: type_46;
+    var phi_3497_: type_46;
+    var phi_1494_: type_46;
+    var phi_5036_: bool;
     var local_10: type_46;
-    var phi_5138_: bool;
-    var phi_4629_: type_46;
-    var phi_4630_: type_58;
-    var phi_4631_: bool;
-    var phi_4632_: u32;
-    var phi_5137_: bool;
-    var phi_4633_: type_46;
-    var phi_4634_: type_58;
-    var phi_4635_: u32;
-    var phi_4636_: bool;
-    var phi_4637_: u32;
-    var phi_5136_: bool;
-    var phi_4638_: type_46;
-    var phi_4639_: type_58;
-    var phi_4640_: u32;
-    var phi_4641_: bool;
-    var phi_4642_: u32;
-    var phi_5135_: bool;
-    var phi_1350_: type_46;
-    var phi_1353_: type_58;
-    var phi_1355_: u32;
-    var phi_1357_: bool;
-    var phi_1359_: u32;
-    var phi_4643_: bool;
-    var phi_5134_: bool;
+    var phi_5279_: bool;
+    var phi_4770_: type_46;
+    var phi_4771_: bool;
+    var phi_4772_: u32;
+    var phi_4773_: type_58;
+    var phi_5278_: bool;
+    var phi_4774_: type_46;
+    var phi_4775_: bool;
+    var phi_4776_: u32;
+    var phi_4777_: u32;
+    var phi_4778_: type_58;
+    var phi_5277_: bool;
+    var phi_4779_: type_46;
+    var phi_4780_: bool;
+    var phi_4781_: u32;
+    var phi_4782_: u32;
+    var phi_4783_: type_58;
+    var phi_5276_: bool;
+    var phi_1367_: type_46;
+    var phi_1370_: bool;
+    var phi_1372_: u32;
+    var phi_1374_: u32;
+    var phi_1376_: type_58;
+    var phi_4784_: bool;
+    var phi_5275_: bool;
     var local_11: type_46;
     var local_12: type_46;
 
@@ -333,11 +333,11 @@ fn function_() {
                     break;
                 }
                 let _e172 = global_9.member[_e153].member_2;
-                phi_337_ = _e172;
+                phi_343_ = _e172;
             } else {
-                phi_337_ = 4294967295u;
+                phi_343_ = 4294967295u;
             }
-            let _e174 = phi_337_;
+            let _e174 = phi_343_;
             let _e177 = global_1.member[0u];
             let _e181 = global_3.member[0u][0u];
             let _e185 = global_3.member[0u][1u];
@@ -354,15 +354,15 @@ fn function_() {
             let _e215 = array<u32, 3>(_e201, _e205, _e209);
             let _e217 = bitcast<i32>(_e177);
             if (_e217 < -126i) {
-                phi_381_ = -126i;
+                phi_387_ = -126i;
             } else {
-                phi_381_ = select(_e217, 127i, (_e217 > 127i));
+                phi_387_ = select(_e217, 127i, (_e217 > 127i));
             }
-            let _e222 = phi_381_;
+            let _e222 = phi_387_;
             let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
             let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
             if (_e193 == 0u) {
-                phi_521_ = type_40(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
+                phi_527_ = type_40(array<f32, 3>(_e210, _e211, _e212), _e193, _e214, _e215);
             } else {
                 let _e235 = bitcast<u32>(_e210);
                 let _e237 = ((_e235 & 2139095040u) != 0u);
@@ -372,9 +372,9 @@ fn function_() {
                 let _e271 = ((_e269 & 2139095040u) != 0u);
                 let _e287 = bitcast<u32>(_e214);
                 let _e289 = ((_e287 & 2139095040u) != 0u);
-                phi_521_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
+                phi_527_ = type_40(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e235 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e235 & 2147483648u))), _e210, _e237) * _e227) * select(0.00000011920929f, 1f, _e237)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e211, _e254) * _e227) * select(0.00000011920929f, 1f, _e254)) * _e233), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e212, _e271) * _e227) * select(0.00000011920929f, 1f, _e271)) * _e233)), _e193, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e287 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e287 & 2147483648u))), _e214, _e289) * _e227) * select(0.00000011920929f, 1f, _e289)) * _e233), _e215);
             }
-            let _e306 = phi_521_;
+            let _e306 = phi_527_;
             if _e168 {
                 let _e307 = (_e153 < arrayLength((&global_2.member)));
                 if _e307 {
@@ -429,203 +429,203 @@ fn function_() {
                         if _e401 {
                             let _e404 = (bitcast<u32>(bitcast<f32>(_e384)) & 2147483647u);
                             if (_e404 >= 8388608u) {
-                                phi_671_ = (bitcast<i32>((_e404 >> bitcast<u32>(23i))) - 127i);
+                                phi_677_ = (bitcast<i32>((_e404 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_671_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e404)), 32u, (_e404 == 0u))));
+                                phi_677_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e404)), 32u, (_e404 == 0u))));
                             }
-                            let _e418 = phi_671_;
-                            phi_672_ = _e418;
+                            let _e418 = phi_677_;
+                            phi_678_ = _e418;
                         } else {
-                            phi_672_ = 0i;
+                            phi_678_ = 0i;
                         }
-                        let _e420 = phi_672_;
+                        let _e420 = phi_678_;
                         let _e421 = (_e340 == _e384);
                         if _e421 {
-                            phi_682_ = true;
+                            phi_688_ = true;
                         } else {
-                            phi_682_ = (_e348 == _e384);
+                            phi_688_ = (_e348 == _e384);
                         }
-                        let _e424 = phi_682_;
+                        let _e424 = phi_688_;
                         let _e425 = select(1u, 0u, _e421);
                         if _e424 {
                             let _e426 = (_e425 + 1u);
-                            phi_692_ = _e426;
-                            phi_693_ = _e426;
-                            phi_695_ = select(true, false, (_e426 == 2u));
+                            phi_698_ = _e426;
+                            phi_699_ = _e426;
+                            phi_701_ = select(true, false, (_e426 == 2u));
                         } else {
-                            phi_692_ = u32();
-                            phi_693_ = 0u;
-                            phi_695_ = true;
+                            phi_698_ = u32();
+                            phi_699_ = 0u;
+                            phi_701_ = true;
                         }
-                        let _e430 = phi_692_;
-                        let _e432 = phi_693_;
-                        let _e434 = phi_695_;
+                        let _e430 = phi_698_;
+                        let _e432 = phi_699_;
+                        let _e434 = phi_701_;
                         if _e434 {
-                            phi_700_ = (_e432 + 1u);
+                            phi_706_ = (_e432 + 1u);
                         } else {
-                            phi_700_ = 0u;
+                            phi_706_ = 0u;
                         }
-                        let _e438 = phi_700_;
+                        let _e438 = phi_706_;
                         let _e439 = select(_e430, _e432, _e434);
                         let _e440 = select(_e425, select(2u, _e425, _e424), _e434);
                         let _e441 = -(_e420);
                         if (_e441 < -126i) {
-                            phi_732_ = -126i;
+                            phi_739_ = -126i;
                         } else {
-                            phi_732_ = select(_e441, 127i, (_e441 > 127i));
+                            phi_739_ = select(_e441, 127i, (_e441 > 127i));
                         }
-                        let _e446 = phi_732_;
+                        let _e446 = phi_739_;
                         let _e451 = bitcast<f32>((bitcast<u32>((_e446 + 127i)) << bitcast<u32>(23i)));
                         let _e457 = bitcast<f32>((bitcast<u32>(((_e441 - _e446) + 127i)) << bitcast<u32>(23i)));
                         let _e462 = global_9.member[_e153].member.member;
                         let _e463 = (_e439 == 0u);
                         if _e463 {
-                            phi_750_ = _e462[0];
+                            phi_757_ = _e462[0];
                         } else {
-                            phi_750_ = _e462[1];
+                            phi_757_ = _e462[1];
                         }
-                        let _e467 = phi_750_;
+                        let _e467 = phi_757_;
                         let _e468 = (_e439 == 2u);
                         if _e468 {
-                            phi_756_ = _e462[2];
+                            phi_763_ = _e462[2];
                         } else {
-                            phi_756_ = _e467;
+                            phi_763_ = _e467;
                         }
-                        let _e471 = phi_756_;
+                        let _e471 = phi_763_;
                         let _e472 = bitcast<u32>(_e471);
                         let _e474 = ((_e472 & 2139095040u) != 0u);
                         let _e486 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e472 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e472 & 2147483648u))), _e471, _e474) * select(0.00000011920929f, 1f, _e474));
                         let _e487 = global_9.member[_e153].member.member_2;
                         if _e463 {
-                            phi_796_ = _e487[0];
+                            phi_803_ = _e487[0];
                         } else {
-                            phi_796_ = _e487[1];
+                            phi_803_ = _e487[1];
                         }
-                        let _e491 = phi_796_;
+                        let _e491 = phi_803_;
                         if _e468 {
-                            phi_802_ = _e487[2];
+                            phi_809_ = _e487[2];
                         } else {
-                            phi_802_ = _e491;
+                            phi_809_ = _e491;
                         }
-                        let _e494 = phi_802_;
+                        let _e494 = phi_809_;
                         let _e495 = bitcast<u32>(_e494);
                         let _e497 = ((_e495 & 2139095040u) != 0u);
                         let _e511 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e495 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e495 & 2147483648u))), _e494, _e497) * _e451) * select(0.00000011920929f, 1f, _e497)) * _e457);
                         let _e515 = (bitcast<f32>((bitcast<u32>(_e511) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e515 {
                             let _e519 = (bitcast<f32>((bitcast<u32>(_e486) & 2147483647u)) * 0.00000011920929f);
-                            phi_854_ = select(0.00000000000011368684f, _e519, (_e519 > 0.00000000000011368684f));
+                            phi_861_ = select(0.00000000000011368684f, _e519, (_e519 > 0.00000000000011368684f));
                         } else {
-                            phi_854_ = 0f;
+                            phi_861_ = 0f;
                         }
-                        let _e523 = phi_854_;
+                        let _e523 = phi_861_;
                         let _e524 = (_e486 + _e523);
                         let _e525 = (_e486 - _e523);
                         let _e526 = select(_e511, 0f, _e515);
                         if _e515 {
-                            phi_865_ = 38685626000000000000000000f;
+                            phi_873_ = 38685626000000000000000000f;
                         } else {
-                            phi_865_ = (1f / _e511);
+                            phi_873_ = (1f / _e511);
                         }
-                        let _e529 = phi_865_;
+                        let _e529 = phi_873_;
                         let _e530 = (_e438 == 0u);
                         if _e530 {
-                            phi_874_ = _e462[0];
+                            phi_882_ = _e462[0];
                         } else {
-                            phi_874_ = _e462[1];
+                            phi_882_ = _e462[1];
                         }
-                        let _e534 = phi_874_;
+                        let _e534 = phi_882_;
                         let _e535 = (_e438 == 2u);
                         if _e535 {
-                            phi_880_ = _e462[2];
+                            phi_888_ = _e462[2];
                         } else {
-                            phi_880_ = _e534;
+                            phi_888_ = _e534;
                         }
-                        let _e538 = phi_880_;
+                        let _e538 = phi_888_;
                         let _e539 = bitcast<u32>(_e538);
                         let _e541 = ((_e539 & 2139095040u) != 0u);
                         let _e553 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e539 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e539 & 2147483648u))), _e538, _e541) * select(0.00000011920929f, 1f, _e541));
                         if _e530 {
-                            phi_920_ = _e487[0];
+                            phi_928_ = _e487[0];
                         } else {
-                            phi_920_ = _e487[1];
+                            phi_928_ = _e487[1];
                         }
-                        let _e557 = phi_920_;
+                        let _e557 = phi_928_;
                         if _e535 {
-                            phi_926_ = _e487[2];
+                            phi_934_ = _e487[2];
                         } else {
-                            phi_926_ = _e557;
+                            phi_934_ = _e557;
                         }
-                        let _e560 = phi_926_;
+                        let _e560 = phi_934_;
                         let _e561 = bitcast<u32>(_e560);
                         let _e563 = ((_e561 & 2139095040u) != 0u);
                         let _e577 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e561 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e561 & 2147483648u))), _e560, _e563) * _e451) * select(0.00000011920929f, 1f, _e563)) * _e457);
                         let _e581 = (bitcast<f32>((bitcast<u32>(_e577) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e581 {
                             let _e585 = (bitcast<f32>((bitcast<u32>(_e553) & 2147483647u)) * 0.00000011920929f);
-                            phi_978_ = select(0.00000000000011368684f, _e585, (_e585 > 0.00000000000011368684f));
+                            phi_986_ = select(0.00000000000011368684f, _e585, (_e585 > 0.00000000000011368684f));
                         } else {
-                            phi_978_ = 0f;
+                            phi_986_ = 0f;
                         }
-                        let _e589 = phi_978_;
+                        let _e589 = phi_986_;
                         let _e590 = (_e553 + _e589);
                         let _e591 = (_e553 - _e589);
                         let _e592 = select(_e577, 0f, _e581);
                         if _e581 {
-                            phi_989_ = 38685626000000000000000000f;
+                            phi_998_ = 38685626000000000000000000f;
                         } else {
-                            phi_989_ = (1f / _e577);
+                            phi_998_ = (1f / _e577);
                         }
-                        let _e595 = phi_989_;
+                        let _e595 = phi_998_;
                         let _e596 = (_e440 == 0u);
                         if _e596 {
-                            phi_998_ = _e462[0];
+                            phi_1007_ = _e462[0];
                         } else {
-                            phi_998_ = _e462[1];
+                            phi_1007_ = _e462[1];
                         }
-                        let _e600 = phi_998_;
+                        let _e600 = phi_1007_;
                         let _e601 = (_e440 == 2u);
                         if _e601 {
-                            phi_1004_ = _e462[2];
+                            phi_1013_ = _e462[2];
                         } else {
-                            phi_1004_ = _e600;
+                            phi_1013_ = _e600;
                         }
-                        let _e604 = phi_1004_;
+                        let _e604 = phi_1013_;
                         let _e605 = bitcast<u32>(_e604);
                         let _e607 = ((_e605 & 2139095040u) != 0u);
                         let _e619 = (select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e605 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e605 & 2147483648u))), _e604, _e607) * select(0.00000011920929f, 1f, _e607));
                         if _e596 {
-                            phi_1044_ = _e487[0];
+                            phi_1053_ = _e487[0];
                         } else {
-                            phi_1044_ = _e487[1];
+                            phi_1053_ = _e487[1];
                         }
-                        let _e623 = phi_1044_;
+                        let _e623 = phi_1053_;
                         if _e601 {
-                            phi_1050_ = _e487[2];
+                            phi_1059_ = _e487[2];
                         } else {
-                            phi_1050_ = _e623;
+                            phi_1059_ = _e623;
                         }
-                        let _e626 = phi_1050_;
+                        let _e626 = phi_1059_;
                         let _e627 = bitcast<u32>(_e626);
                         let _e629 = ((_e627 & 2139095040u) != 0u);
                         let _e643 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e627 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e627 & 2147483648u))), _e626, _e629) * _e451) * select(0.00000011920929f, 1f, _e629)) * _e457);
                         let _e647 = (bitcast<f32>((bitcast<u32>(_e643) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e647 {
                             let _e651 = (bitcast<f32>((bitcast<u32>(_e619) & 2147483647u)) * 0.00000011920929f);
-                            phi_1102_ = select(0.00000000000011368684f, _e651, (_e651 > 0.00000000000011368684f));
+                            phi_1111_ = select(0.00000000000011368684f, _e651, (_e651 > 0.00000000000011368684f));
                         } else {
-                            phi_1102_ = 0f;
+                            phi_1111_ = 0f;
                         }
-                        let _e655 = phi_1102_;
+                        let _e655 = phi_1111_;
                         let _e656 = (_e619 + _e655);
                         let _e657 = (_e619 - _e655);
                         let _e658 = select(_e643, 0f, _e647);
                         if _e647 {
-                            phi_1113_ = 38685626000000000000000000f;
+                            phi_1123_ = 38685626000000000000000000f;
                         } else {
-                            phi_1113_ = (1f / _e643);
+                            phi_1123_ = (1f / _e643);
                         }
-                        let _e661 = phi_1113_;
+                        let _e661 = phi_1123_;
                         let _e664 = bitcast<f32>((bitcast<u32>(_e486) & 2147483647u));
                         let _e667 = bitcast<f32>((bitcast<u32>(_e553) & 2147483647u));
                         let _e669 = select(_e667, _e664, (_e664 > _e667));
@@ -636,55 +636,55 @@ fn function_() {
                             let _e691 = (_e684 == 0u);
                             let _e694 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e684)), 32u, _e691)) - 8i);
                             if (_e687 == 255i) {
-                                phi_1168_ = 255i;
+                                phi_1178_ = 255i;
                             } else {
-                                phi_1168_ = (((_e687 + select(0i, 1i, (_e687 == 0i))) - _e694) + _e420);
+                                phi_1178_ = (((_e687 + select(0i, 1i, (_e687 == 0i))) - _e694) + _e420);
                             }
-                            let _e702 = phi_1168_;
+                            let _e702 = phi_1178_;
                             let _e712 = (_e702 <= 0i);
                             if _e712 {
-                                phi_1191_ = u32();
+                                phi_1201_ = u32();
                             } else {
                                 if _e691 {
-                                    phi_1190_ = u32();
+                                    phi_1200_ = u32();
                                 } else {
-                                    phi_1190_ = select(((bitcast<u32>(_e702) << bitcast<u32>(23i)) | ((_e684 << bitcast<u32>(((_e694 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e702 >= 255i));
+                                    phi_1200_ = select(((bitcast<u32>(_e702) << bitcast<u32>(23i)) | ((_e684 << bitcast<u32>(((_e694 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e702 >= 255i));
                                 }
-                                let _e716 = phi_1190_;
-                                phi_1191_ = _e716;
+                                let _e716 = phi_1200_;
+                                phi_1201_ = _e716;
                             }
-                            let _e718 = phi_1191_;
+                            let _e718 = phi_1201_;
                             let _e730 = ((_e397 & 8388607u) | (select(0u, 1u, ((_e397 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                             let _e733 = bitcast<i32>((_e397 >> bitcast<u32>(23i)));
                             let _e737 = (_e730 == 0u);
                             let _e740 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e730)), 32u, _e737)) - 8i);
                             if (_e733 == 255i) {
-                                phi_1228_ = 255i;
+                                phi_1238_ = 255i;
                             } else {
-                                phi_1228_ = (((_e733 + select(0i, 1i, (_e733 == 0i))) - _e740) + _e420);
+                                phi_1238_ = (((_e733 + select(0i, 1i, (_e733 == 0i))) - _e740) + _e420);
                             }
-                            let _e748 = phi_1228_;
+                            let _e748 = phi_1238_;
                             let _e758 = (_e748 <= 0i);
                             if _e758 {
-                                phi_1251_ = u32();
+                                phi_1261_ = u32();
                             } else {
                                 if _e737 {
-                                    phi_1250_ = u32();
+                                    phi_1260_ = u32();
                                 } else {
-                                    phi_1250_ = select(((bitcast<u32>(_e748) << bitcast<u32>(23i)) | ((_e730 << bitcast<u32>(((_e740 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e748 >= 255i));
+                                    phi_1260_ = select(((bitcast<u32>(_e748) << bitcast<u32>(23i)) | ((_e730 << bitcast<u32>(((_e740 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e748 >= 255i));
                                 }
-                                let _e762 = phi_1250_;
-                                phi_1251_ = _e762;
+                                let _e762 = phi_1260_;
+                                phi_1261_ = _e762;
                             }
-                            let _e764 = phi_1251_;
-                            phi_1259_ = bitcast<f32>(((_e396 & 2147483648u) | select(_e764, 0u, select(_e737, true, _e758))));
-                            phi_1260_ = bitcast<f32>(((_e391 & 2147483648u) | select(_e718, 0u, select(_e691, true, _e712))));
+                            let _e764 = phi_1261_;
+                            phi_1269_ = bitcast<f32>(((_e396 & 2147483648u) | select(_e764, 0u, select(_e737, true, _e758))));
+                            phi_1270_ = bitcast<f32>(((_e391 & 2147483648u) | select(_e718, 0u, select(_e691, true, _e712))));
                         } else {
-                            phi_1259_ = 0f;
-                            phi_1260_ = 1f;
+                            phi_1269_ = 0f;
+                            phi_1270_ = 1f;
                         }
-                        let _e770 = phi_1259_;
-                        let _e772 = phi_1260_;
+                        let _e770 = phi_1269_;
+                        let _e772 = phi_1270_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -729,202 +729,202 @@ fn function_() {
                             break;
                         }
                         let _e804 = local[_e788];
-                        phi_4901_ = false;
-                        phi_1349_ = type_46(_e770, false);
-                        phi_1352_ = type_58(type_34(vec4<f32>((f32(_e779) * _e165), (f32(_e785) * _e165), (f32(_e791) * _e165), 0f), vec4<f32>((f32(_e796) * _e165), (f32(_e800) * _e165), (f32(_e804) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
-                        phi_1354_ = ((3u * _e106) + 1u);
-                        phi_1356_ = (_e772 <= _e770);
-                        phi_1358_ = 0u;
+                        phi_5042_ = false;
+                        phi_1366_ = type_46(_e770, false);
+                        phi_1369_ = (_e772 <= _e770);
+                        phi_1371_ = ((3u * _e106) + 1u);
+                        phi_1373_ = 0u;
+                        phi_1375_ = type_58(type_34(vec4<f32>((f32(_e779) * _e165), (f32(_e785) * _e165), (f32(_e791) * _e165), 0f), vec4<f32>((f32(_e796) * _e165), (f32(_e800) * _e165), (f32(_e804) * _e165), 0f)), select(0u, 2147483648u, (_e106 == 0u)));
                         loop {
-                            let _e814 = phi_4901_;
-                            let _e816 = phi_1349_;
-                            let _e818 = phi_1352_;
-                            let _e820 = phi_1354_;
-                            let _e822 = phi_1356_;
-                            let _e824 = phi_1358_;
+                            let _e814 = phi_5042_;
+                            let _e816 = phi_1366_;
+                            let _e818 = phi_1369_;
+                            let _e820 = phi_1371_;
+                            let _e822 = phi_1373_;
+                            let _e824 = phi_1375_;
                             local_11 = _e816;
-                            if _e822 {
-                                phi_1369_ = true;
+                            if _e818 {
+                                phi_1386_ = true;
                             } else {
-                                phi_1369_ = (_e824 > 0u);
+                                phi_1386_ = (_e822 > 0u);
                             }
-                            let _e827 = phi_1369_;
+                            let _e827 = phi_1386_;
                             if _e827 {
                                 let _e828 = (_e820 > 0u);
                                 if _e828 {
-                                    if _e822 {
-                                        phi_1455_ = _e818;
-                                        phi_1456_ = _e822;
-                                        phi_1457_ = _e824;
+                                    if _e818 {
+                                        phi_1472_ = _e818;
+                                        phi_1473_ = _e822;
+                                        phi_1474_ = _e824;
                                     } else {
-                                        let _e829 = (_e824 - 1u);
+                                        let _e829 = (_e822 - 1u);
                                         let _e830 = (_e829 % 128u);
                                         let _e831 = (_e830 < 128u);
                                         if _e831 {
                                         } else {
-                                            phi_5134_ = true;
+                                            phi_5275_ = true;
                                             break;
                                         }
                                         let _e833 = local_7[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5134_ = true;
+                                            phi_5275_ = true;
                                             break;
                                         }
                                         let _e835 = local_6[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5134_ = true;
+                                            phi_5275_ = true;
                                             break;
                                         }
                                         let _e837 = local_5[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5134_ = true;
+                                            phi_5275_ = true;
                                             break;
                                         }
                                         let _e839 = local_4[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5134_ = true;
+                                            phi_5275_ = true;
                                             break;
                                         }
                                         let _e841 = local_3[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5134_ = true;
+                                            phi_5275_ = true;
                                             break;
                                         }
                                         let _e843 = local_2[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5134_ = true;
+                                            phi_5275_ = true;
                                             break;
                                         }
                                         let _e848 = local_8[_e830];
                                         if _e831 {
                                         } else {
-                                            phi_5134_ = true;
+                                            phi_5275_ = true;
                                             break;
                                         }
                                         let _e851 = local_9[_e830];
-                                        phi_1455_ = type_58(type_34(vec4<f32>(_e833, _e835, _e837, 0f), vec4<f32>(_e839, _e841, _e843, 0f)), _e848);
-                                        phi_1456_ = (_e851 <= _e816.member);
-                                        phi_1457_ = _e829;
+                                        phi_1472_ = (_e851 <= _e816.member);
+                                        phi_1473_ = _e829;
+                                        phi_1474_ = type_58(type_34(vec4<f32>(_e833, _e835, _e837, 0f), vec4<f32>(_e839, _e841, _e843, 0f)), _e848);
                                     }
-                                    let _e855 = phi_1455_;
-                                    let _e857 = phi_1456_;
-                                    let _e859 = phi_1457_;
-                                    if _e857 {
-                                        let _e864 = (_e855.member_1 & 268435455u);
-                                        if ((_e855.member_1 & 2147483648u) != 0u) {
-                                            phi_1476_ = _e816;
-                                            phi_1479_ = type_8(0u, ((_e855.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e855 = phi_1472_;
+                                    let _e857 = phi_1473_;
+                                    let _e859 = phi_1474_;
+                                    if _e855 {
+                                        let _e864 = (_e859.member_1 & 268435455u);
+                                        if ((_e859.member_1 & 2147483648u) != 0u) {
+                                            phi_1493_ = _e816;
+                                            phi_1496_ = type_8(0u, ((_e859.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1330 = phi_1476_;
-                                                let _e1332 = phi_1479_;
+                                                let _e1330 = phi_1493_;
+                                                let _e1332 = phi_1496_;
                                                 local_10 = _e1330;
                                                 local_12 = _e1330;
                                                 if (_e1332.member < _e1332.member_1) {
-                                                    phi_1480_ = type_8((_e1332.member + 1u), _e1332.member_1);
-                                                    phi_1502_ = type_8(1u, _e1332.member);
+                                                    phi_1497_ = type_8((_e1332.member + 1u), _e1332.member_1);
+                                                    phi_1519_ = type_8(1u, _e1332.member);
                                                 } else {
-                                                    phi_1480_ = _e1332;
-                                                    phi_1502_ = type_8(0u, type_8().member_1);
+                                                    phi_1497_ = _e1332;
+                                                    phi_1519_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1345 = phi_1480_;
-                                                let _e1347 = phi_1502_;
+                                                let _e1345 = phi_1497_;
+                                                let _e1347 = phi_1519_;
                                                 let _e1351 = (bitcast<i32>(_e1347.member) != 0i);
                                                 if _e1351 {
-                                                    let _e1356 = (_e855.member.member_1.x - _e855.member.member.x);
-                                                    let _e1359 = (_e855.member.member_1.y - _e855.member.member.y);
-                                                    let _e1362 = (_e855.member.member_1.z - _e855.member.member.z);
+                                                    let _e1356 = (_e859.member.member_1.x - _e859.member.member.x);
+                                                    let _e1359 = (_e859.member.member_1.y - _e859.member.member.y);
+                                                    let _e1362 = (_e859.member.member_1.z - _e859.member.member.z);
                                                     let _e1364 = select(_e1359, _e1356, (_e1356 > _e1359));
                                                     let _e1366 = select(_e1362, _e1364, (_e1364 > _e1362));
                                                     let _e1368 = (_e1366 < (1024f * _e165));
                                                     if _e1368 {
-                                                        phi_1543_ = 0u;
+                                                        phi_1560_ = 0u;
                                                     } else {
-                                                        phi_1543_ = select(2u, 1u, (_e1366 < (2097152f * _e165)));
+                                                        phi_1560_ = select(2u, 1u, (_e1366 < (2097152f * _e165)));
                                                     }
-                                                    let _e1373 = phi_1543_;
+                                                    let _e1373 = phi_1560_;
                                                     switch bitcast<i32>(_e1373) {
                                                         case 0: {
-                                                            phi_1549_ = 1u;
+                                                            phi_1566_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1549_ = 2u;
+                                                            phi_1566_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1549_ = 3u;
+                                                            phi_1566_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1549_ = u32();
+                                                            phi_1566_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1376 = phi_1549_;
+                                                    let _e1376 = phi_1566_;
                                                     switch bitcast<i32>(_e1373) {
                                                         case 0: {
-                                                            phi_1559_ = 1u;
+                                                            phi_1576_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1559_ = 2u;
+                                                            phi_1576_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1559_ = 3u;
+                                                            phi_1576_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1559_ = u32();
+                                                            phi_1576_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1383 = phi_1559_;
+                                                    let _e1383 = phi_1576_;
                                                     let _e1385 = ((_e864 + (_e1347.member_1 * ((3u * _e1376) + 1u))) + (3u * _e1383));
                                                     let _e1386 = (_e1385 < _e109);
                                                     if _e1386 {
                                                         if _e1386 {
                                                         } else {
-                                                            phi_4895_ = true;
+                                                            phi_5036_ = true;
                                                             break;
                                                         }
                                                         let _e1388 = global_10.member[_e1385];
-                                                        phi_1575_ = _e1388;
+                                                        phi_1592_ = _e1388;
                                                     } else {
-                                                        phi_1575_ = 4294967295u;
+                                                        phi_1592_ = 4294967295u;
                                                     }
-                                                    let _e1390 = phi_1575_;
+                                                    let _e1390 = phi_1592_;
                                                     if _e1368 {
-                                                        phi_1608_ = 0u;
+                                                        phi_1625_ = 0u;
                                                     } else {
-                                                        phi_1608_ = select(2u, 1u, (_e1366 < (2097152f * _e165)));
+                                                        phi_1625_ = select(2u, 1u, (_e1366 < (2097152f * _e165)));
                                                     }
-                                                    let _e1395 = phi_1608_;
+                                                    let _e1395 = phi_1625_;
                                                     switch bitcast<i32>(_e1395) {
                                                         case 0: {
-                                                            phi_1614_ = 1u;
+                                                            phi_1631_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1614_ = 2u;
+                                                            phi_1631_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1614_ = 3u;
+                                                            phi_1631_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1614_ = u32();
+                                                            phi_1631_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1398 = phi_1614_;
+                                                    let _e1398 = phi_1631_;
                                                     let _e1402 = (_e864 + (_e1347.member_1 * ((3u * _e1398) + 1u)));
                                                     switch bitcast<i32>(_e1395) {
                                                         case 0: {
@@ -932,15 +932,15 @@ fn function_() {
                                                             if _e1677 {
                                                                 if _e1677 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1679 = global_10.member[_e1402];
-                                                                phi_1638_ = _e1679;
+                                                                phi_1658_ = _e1679;
                                                             } else {
-                                                                phi_1638_ = 0u;
+                                                                phi_1658_ = 0u;
                                                             }
-                                                            let _e1681 = phi_1638_;
+                                                            let _e1681 = phi_1658_;
                                                             let _e1683 = ((10u * _e439) & 31u);
                                                             let _e1693 = ((10u * _e438) & 31u);
                                                             let _e1703 = ((10u * _e440) & 31u);
@@ -949,30 +949,30 @@ fn function_() {
                                                             if _e1714 {
                                                                 if _e1714 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1716 = global_10.member[_e1713];
-                                                                phi_1684_ = _e1716;
+                                                                phi_1707_ = _e1716;
                                                             } else {
-                                                                phi_1684_ = 0u;
+                                                                phi_1707_ = 0u;
                                                             }
-                                                            let _e1718 = phi_1684_;
+                                                            let _e1718 = phi_1707_;
                                                             let _e1744 = (_e1402 + 2u);
                                                             let _e1745 = (_e1744 < _e109);
                                                             if _e1745 {
                                                                 if _e1745 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1747 = global_10.member[_e1744];
-                                                                phi_1730_ = _e1747;
+                                                                phi_1756_ = _e1747;
                                                             } else {
-                                                                phi_1730_ = 0u;
+                                                                phi_1756_ = 0u;
                                                             }
-                                                            let _e1749 = phi_1730_;
-                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))));
+                                                            let _e1749 = phi_1756_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1681 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1718 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1683)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1693)) & 1023u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | ((_e1749 >> bitcast<u32>(_e1703)) & 1023u))) - 8388608f) * _e165))));
                                                             break;
                                                         }
                                                         case 1: {
@@ -980,143 +980,143 @@ fn function_() {
                                                             if _e1491 {
                                                                 if _e1491 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1493 = global_10.member[_e1402];
-                                                                phi_1776_ = _e1493;
+                                                                phi_1805_ = _e1493;
                                                             } else {
-                                                                phi_1776_ = 0u;
+                                                                phi_1805_ = 0u;
                                                             }
-                                                            let _e1495 = phi_1776_;
+                                                            let _e1495 = phi_1805_;
                                                             let _e1496 = (_e1402 + 1u);
                                                             let _e1497 = (_e1496 < _e109);
                                                             if _e1497 {
                                                                 if _e1497 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1499 = global_10.member[_e1496];
-                                                                phi_1791_ = _e1499;
+                                                                phi_1820_ = _e1499;
                                                             } else {
-                                                                phi_1791_ = 0u;
+                                                                phi_1820_ = 0u;
                                                             }
-                                                            let _e1501 = phi_1791_;
+                                                            let _e1501 = phi_1820_;
                                                             let _e1502 = (_e439 == 1u);
                                                             if _e1502 {
-                                                                phi_1801_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
+                                                                phi_1830_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1801_ = (_e1501 >> bitcast<u32>(10i));
+                                                                phi_1830_ = (_e1501 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1511 = phi_1801_;
+                                                            let _e1511 = phi_1830_;
                                                             let _e1519 = (_e438 == 1u);
                                                             if _e1519 {
-                                                                phi_1822_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
+                                                                phi_1851_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1822_ = (_e1501 >> bitcast<u32>(10i));
+                                                                phi_1851_ = (_e1501 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1528 = phi_1822_;
+                                                            let _e1528 = phi_1851_;
                                                             let _e1536 = (_e440 == 1u);
                                                             if _e1536 {
-                                                                phi_1843_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
+                                                                phi_1872_ = ((_e1495 >> bitcast<u32>(21i)) | (_e1501 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1843_ = (_e1501 >> bitcast<u32>(10i));
+                                                                phi_1872_ = (_e1501 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1545 = phi_1843_;
+                                                            let _e1545 = phi_1872_;
                                                             let _e1554 = (_e1402 + 2u);
                                                             let _e1555 = (_e1554 < _e109);
                                                             if _e1555 {
                                                                 if _e1555 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1557 = global_10.member[_e1554];
-                                                                phi_1870_ = _e1557;
+                                                                phi_1902_ = _e1557;
                                                             } else {
-                                                                phi_1870_ = 0u;
+                                                                phi_1902_ = 0u;
                                                             }
-                                                            let _e1559 = phi_1870_;
+                                                            let _e1559 = phi_1902_;
                                                             let _e1560 = (_e1402 + 3u);
                                                             let _e1561 = (_e1560 < _e109);
                                                             if _e1561 {
                                                                 if _e1561 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1563 = global_10.member[_e1560];
-                                                                phi_1885_ = _e1563;
+                                                                phi_1917_ = _e1563;
                                                             } else {
-                                                                phi_1885_ = 0u;
+                                                                phi_1917_ = 0u;
                                                             }
-                                                            let _e1565 = phi_1885_;
+                                                            let _e1565 = phi_1917_;
                                                             if _e1502 {
-                                                                phi_1895_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
+                                                                phi_1927_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1895_ = (_e1565 >> bitcast<u32>(10i));
+                                                                phi_1927_ = (_e1565 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1574 = phi_1895_;
+                                                            let _e1574 = phi_1927_;
                                                             if _e1519 {
-                                                                phi_1916_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
+                                                                phi_1948_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1916_ = (_e1565 >> bitcast<u32>(10i));
+                                                                phi_1948_ = (_e1565 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1590 = phi_1916_;
+                                                            let _e1590 = phi_1948_;
                                                             if _e1536 {
-                                                                phi_1937_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
+                                                                phi_1969_ = ((_e1559 >> bitcast<u32>(21i)) | (_e1565 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1937_ = (_e1565 >> bitcast<u32>(10i));
+                                                                phi_1969_ = (_e1565 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1606 = phi_1937_;
+                                                            let _e1606 = phi_1969_;
                                                             let _e1615 = (_e1402 + 4u);
                                                             let _e1616 = (_e1615 < _e109);
                                                             if _e1616 {
                                                                 if _e1616 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1618 = global_10.member[_e1615];
-                                                                phi_1964_ = _e1618;
+                                                                phi_1999_ = _e1618;
                                                             } else {
-                                                                phi_1964_ = 0u;
+                                                                phi_1999_ = 0u;
                                                             }
-                                                            let _e1620 = phi_1964_;
+                                                            let _e1620 = phi_1999_;
                                                             let _e1621 = (_e1402 + 5u);
                                                             let _e1622 = (_e1621 < _e109);
                                                             if _e1622 {
                                                                 if _e1622 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1624 = global_10.member[_e1621];
-                                                                phi_1979_ = _e1624;
+                                                                phi_2014_ = _e1624;
                                                             } else {
-                                                                phi_1979_ = 0u;
+                                                                phi_2014_ = 0u;
                                                             }
-                                                            let _e1626 = phi_1979_;
+                                                            let _e1626 = phi_2014_;
                                                             if _e1502 {
-                                                                phi_1989_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
+                                                                phi_2024_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1989_ = (_e1626 >> bitcast<u32>(10i));
+                                                                phi_2024_ = (_e1626 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1635 = phi_1989_;
+                                                            let _e1635 = phi_2024_;
                                                             if _e1519 {
-                                                                phi_2010_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
+                                                                phi_2045_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2010_ = (_e1626 >> bitcast<u32>(10i));
+                                                                phi_2045_ = (_e1626 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1651 = phi_2010_;
+                                                            let _e1651 = phi_2045_;
                                                             if _e1536 {
-                                                                phi_2031_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
+                                                                phi_2066_ = ((_e1620 >> bitcast<u32>(21i)) | (_e1626 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_2031_ = (_e1626 >> bitcast<u32>(10i));
+                                                                phi_2066_ = (_e1626 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1667 = phi_2031_;
-                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1511, _e1495, _e463) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1528, _e1495, _e530) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1545, _e1495, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1574, _e1559, _e463) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1590, _e1559, _e530) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1606, _e1559, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e855.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1635, _e1620, _e463) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1651, _e1620, _e530) & 2097151u))) - 8388608f) * _e165)), (_e855.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1667, _e1620, _e596) & 2097151u))) - 8388608f) * _e165))));
+                                                            let _e1667 = phi_2066_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1511, _e1495, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1528, _e1495, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1545, _e1495, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1574, _e1559, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1590, _e1559, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1606, _e1559, _e596) & 2097151u))) - 8388608f) * _e165))), array<f32, 3>((_e859.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1635, _e1620, _e463) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1651, _e1620, _e530) & 2097151u))) - 8388608f) * _e165)), (_e859.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1667, _e1620, _e596) & 2097151u))) - 8388608f) * _e165))));
                                                             break;
                                                         }
                                                         case 2: {
@@ -1125,138 +1125,138 @@ fn function_() {
                                                             if _e1405 {
                                                                 if _e1405 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1407 = global_10.member[_e1404];
-                                                                phi_2059_ = _e1407;
+                                                                phi_2097_ = _e1407;
                                                             } else {
-                                                                phi_2059_ = 0u;
+                                                                phi_2097_ = 0u;
                                                             }
-                                                            let _e1409 = phi_2059_;
+                                                            let _e1409 = phi_2097_;
                                                             let _e1413 = (_e1402 + _e438);
                                                             let _e1414 = (_e1413 < _e109);
                                                             if _e1414 {
                                                                 if _e1414 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1416 = global_10.member[_e1413];
-                                                                phi_2077_ = _e1416;
+                                                                phi_2115_ = _e1416;
                                                             } else {
-                                                                phi_2077_ = 0u;
+                                                                phi_2115_ = 0u;
                                                             }
-                                                            let _e1418 = phi_2077_;
+                                                            let _e1418 = phi_2115_;
                                                             let _e1422 = (_e1402 + _e440);
                                                             let _e1423 = (_e1422 < _e109);
                                                             if _e1423 {
                                                                 if _e1423 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1425 = global_10.member[_e1422];
-                                                                phi_2095_ = _e1425;
+                                                                phi_2133_ = _e1425;
                                                             } else {
-                                                                phi_2095_ = 0u;
+                                                                phi_2133_ = 0u;
                                                             }
-                                                            let _e1427 = phi_2095_;
+                                                            let _e1427 = phi_2133_;
                                                             let _e1432 = (_e1402 + 3u);
                                                             let _e1433 = (_e1432 + _e439);
                                                             let _e1434 = (_e1433 < _e109);
                                                             if _e1434 {
                                                                 if _e1434 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1436 = global_10.member[_e1433];
-                                                                phi_2115_ = _e1436;
+                                                                phi_2156_ = _e1436;
                                                             } else {
-                                                                phi_2115_ = 0u;
+                                                                phi_2156_ = 0u;
                                                             }
-                                                            let _e1438 = phi_2115_;
+                                                            let _e1438 = phi_2156_;
                                                             let _e1442 = (_e1432 + _e438);
                                                             let _e1443 = (_e1442 < _e109);
                                                             if _e1443 {
                                                                 if _e1443 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1445 = global_10.member[_e1442];
-                                                                phi_2133_ = _e1445;
+                                                                phi_2174_ = _e1445;
                                                             } else {
-                                                                phi_2133_ = 0u;
+                                                                phi_2174_ = 0u;
                                                             }
-                                                            let _e1447 = phi_2133_;
+                                                            let _e1447 = phi_2174_;
                                                             let _e1451 = (_e1432 + _e440);
                                                             let _e1452 = (_e1451 < _e109);
                                                             if _e1452 {
                                                                 if _e1452 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1454 = global_10.member[_e1451];
-                                                                phi_2151_ = _e1454;
+                                                                phi_2192_ = _e1454;
                                                             } else {
-                                                                phi_2151_ = 0u;
+                                                                phi_2192_ = 0u;
                                                             }
-                                                            let _e1456 = phi_2151_;
+                                                            let _e1456 = phi_2192_;
                                                             let _e1461 = (_e1402 + 6u);
                                                             let _e1462 = (_e1461 + _e439);
                                                             let _e1463 = (_e1462 < _e109);
                                                             if _e1463 {
                                                                 if _e1463 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1465 = global_10.member[_e1462];
-                                                                phi_2171_ = _e1465;
+                                                                phi_2215_ = _e1465;
                                                             } else {
-                                                                phi_2171_ = 0u;
+                                                                phi_2215_ = 0u;
                                                             }
-                                                            let _e1467 = phi_2171_;
+                                                            let _e1467 = phi_2215_;
                                                             let _e1471 = (_e1461 + _e438);
                                                             let _e1472 = (_e1471 < _e109);
                                                             if _e1472 {
                                                                 if _e1472 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1474 = global_10.member[_e1471];
-                                                                phi_2189_ = _e1474;
+                                                                phi_2233_ = _e1474;
                                                             } else {
-                                                                phi_2189_ = 0u;
+                                                                phi_2233_ = 0u;
                                                             }
-                                                            let _e1476 = phi_2189_;
+                                                            let _e1476 = phi_2233_;
                                                             let _e1480 = (_e1461 + _e440);
                                                             let _e1481 = (_e1480 < _e109);
                                                             if _e1481 {
                                                                 if _e1481 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1483 = global_10.member[_e1480];
-                                                                phi_2207_ = _e1483;
+                                                                phi_2251_ = _e1483;
                                                             } else {
-                                                                phi_2207_ = 0u;
+                                                                phi_2251_ = 0u;
                                                             }
-                                                            let _e1485 = phi_2207_;
-                                                            phi_2213_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1409)) * _e165), (f32(bitcast<i32>(_e1418)) * _e165), (f32(bitcast<i32>(_e1427)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1438)) * _e165), (f32(bitcast<i32>(_e1447)) * _e165), (f32(bitcast<i32>(_e1456)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1467)) * _e165), (f32(bitcast<i32>(_e1476)) * _e165), (f32(bitcast<i32>(_e1485)) * _e165)));
+                                                            let _e1485 = phi_2251_;
+                                                            phi_2257_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1409)) * _e165), (f32(bitcast<i32>(_e1418)) * _e165), (f32(bitcast<i32>(_e1427)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1438)) * _e165), (f32(bitcast<i32>(_e1447)) * _e165), (f32(bitcast<i32>(_e1456)) * _e165)), array<f32, 3>((f32(bitcast<i32>(_e1467)) * _e165), (f32(bitcast<i32>(_e1476)) * _e165), (f32(bitcast<i32>(_e1485)) * _e165)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2213_ = array<array<f32, 3>, 3>();
+                                                            phi_2257_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1777 = phi_2213_;
+                                                    let _e1777 = phi_2257_;
                                                     let _e1785 = (_e1777[0][2] - _e619);
                                                     let _e1788 = (((_e1777[0][0] - _e486) * _e658) - (_e1785 * _e526));
                                                     let _e1791 = (((_e1777[0][1] - _e553) * _e658) - (_e1785 * _e592));
@@ -1283,34 +1283,34 @@ fn function_() {
                                                         let _e1847 = select(0f, _e1845, (_e1845 > 0f));
                                                         let _e1849 = ((_e1839 + _e1843) + _e1847);
                                                         if (_e1849 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_3038_ = type_25();
-                                                            phi_3039_ = true;
-                                                            phi_3040_ = false;
+                                                            phi_3141_ = type_25();
+                                                            phi_3142_ = true;
+                                                            phi_3143_ = false;
                                                         } else {
                                                             let _e1852 = select(_e1801, _e1788, (_e1788 < _e1801));
                                                             if (select(_e1814, _e1852, (_e1852 < _e1814)) > 0f) {
-                                                                phi_2330_ = true;
+                                                                phi_2409_ = true;
                                                             } else {
                                                                 let _e1857 = select(_e1801, _e1788, (_e1788 > _e1801));
-                                                                phi_2330_ = (select(_e1814, _e1857, (_e1857 > _e1814)) < 0f);
+                                                                phi_2409_ = (select(_e1814, _e1857, (_e1857 > _e1814)) < 0f);
                                                             }
-                                                            let _e1862 = phi_2330_;
+                                                            let _e1862 = phi_2409_;
                                                             if _e1862 {
-                                                                phi_3035_ = type_25();
-                                                                phi_3036_ = true;
-                                                                phi_3037_ = false;
+                                                                phi_3138_ = type_25();
+                                                                phi_3139_ = true;
+                                                                phi_3140_ = false;
                                                             } else {
                                                                 let _e1864 = select(_e1804, _e1791, (_e1791 < _e1804));
                                                                 if (select(_e1817, _e1864, (_e1864 < _e1817)) > 0f) {
-                                                                    phi_2359_ = true;
+                                                                    phi_2438_ = true;
                                                                 } else {
                                                                     let _e1869 = select(_e1804, _e1791, (_e1791 > _e1804));
-                                                                    phi_2359_ = (select(_e1817, _e1869, (_e1869 > _e1817)) < 0f);
+                                                                    phi_2438_ = (select(_e1817, _e1869, (_e1869 > _e1817)) < 0f);
                                                                 }
-                                                                let _e1874 = phi_2359_;
+                                                                let _e1874 = phi_2438_;
                                                                 if _e1874 {
-                                                                    phi_3033_ = type_25();
-                                                                    phi_3034_ = false;
+                                                                    phi_3136_ = type_25();
+                                                                    phi_3137_ = false;
                                                                 } else {
                                                                     let _e1876 = select(_e1777[1][0], _e1777[0][0], (_e1777[0][0] < _e1777[1][0]));
                                                                     let _e1880 = select(_e1777[1][0], _e1777[0][0], (_e1777[0][0] > _e1777[1][0]));
@@ -1337,12 +1337,12 @@ fn function_() {
                                                                     let _e1931 = -(_e1912);
                                                                     let _e1937 = select(_e772, _e1922, (_e1922 > _e772));
                                                                     if (_e1937 > (_e1930 + (select(_e1931, _e1914, (_e1914 > _e1931)) * 0.0000019073523f))) {
-                                                                        phi_3028_ = type_25();
-                                                                        phi_3029_ = true;
+                                                                        phi_3131_ = type_25();
+                                                                        phi_3132_ = true;
                                                                     } else {
                                                                         let _e1939 = (_e1937 > _e1330.member);
                                                                         if _e1939 {
-                                                                            phi_3027_ = type_25();
+                                                                            phi_3130_ = type_25();
                                                                         } else {
                                                                             let _e1940 = vec3<f32>(_e1777[0][0], _e1777[0][1], _e1777[0][2]);
                                                                             let _e1941 = vec3<f32>(_e1777[1][0], _e1777[1][1], _e1777[1][2]);
@@ -1377,49 +1377,49 @@ fn function_() {
                                                                             let _e1995 = select(_e1980, _e1967, (_e1967 > _e1980));
                                                                             let _e1997 = select(_e1993, _e1995, (_e1995 > _e1993));
                                                                             if (_e1967 == _e1997) {
-                                                                                phi_2760_ = _e1804;
-                                                                                phi_2761_ = _e1801;
-                                                                                phi_2762_ = _e1791;
-                                                                                phi_2763_ = _e1788;
-                                                                                phi_2764_ = _e1940;
-                                                                                phi_2765_ = _e1954;
-                                                                                phi_2766_ = _e1950;
-                                                                                phi_2767_ = _e1946;
+                                                                                phi_2857_ = _e1804;
+                                                                                phi_2858_ = _e1801;
+                                                                                phi_2859_ = _e1791;
+                                                                                phi_2860_ = _e1788;
+                                                                                phi_2861_ = _e1940;
+                                                                                phi_2862_ = _e1954;
+                                                                                phi_2863_ = _e1950;
+                                                                                phi_2864_ = _e1946;
                                                                             } else {
                                                                                 let _e1999 = (_e1980 == _e1997);
                                                                                 let _e2004 = vec3(_e1999);
-                                                                                phi_2760_ = select(_e1791, _e1817, _e1999);
-                                                                                phi_2761_ = select(_e1788, _e1814, _e1999);
-                                                                                phi_2762_ = select(_e1817, _e1804, _e1999);
-                                                                                phi_2763_ = select(_e1814, _e1801, _e1999);
-                                                                                phi_2764_ = select(_e1942, _e1941, _e2004);
-                                                                                phi_2765_ = select(_e1950, _e1946, _e2004);
-                                                                                phi_2766_ = select(_e1946, _e1954, _e2004);
-                                                                                phi_2767_ = select(_e1954, _e1950, _e2004);
+                                                                                phi_2857_ = select(_e1791, _e1817, _e1999);
+                                                                                phi_2858_ = select(_e1788, _e1814, _e1999);
+                                                                                phi_2859_ = select(_e1817, _e1804, _e1999);
+                                                                                phi_2860_ = select(_e1814, _e1801, _e1999);
+                                                                                phi_2861_ = select(_e1942, _e1941, _e2004);
+                                                                                phi_2862_ = select(_e1950, _e1946, _e2004);
+                                                                                phi_2863_ = select(_e1946, _e1954, _e2004);
+                                                                                phi_2864_ = select(_e1954, _e1950, _e2004);
                                                                             }
-                                                                            let _e2010 = phi_2760_;
-                                                                            let _e2012 = phi_2761_;
-                                                                            let _e2014 = phi_2762_;
-                                                                            let _e2016 = phi_2763_;
-                                                                            let _e2018 = phi_2764_;
-                                                                            let _e2020 = phi_2765_;
-                                                                            let _e2022 = phi_2766_;
-                                                                            let _e2024 = phi_2767_;
+                                                                            let _e2010 = phi_2857_;
+                                                                            let _e2012 = phi_2858_;
+                                                                            let _e2014 = phi_2859_;
+                                                                            let _e2016 = phi_2860_;
+                                                                            let _e2018 = phi_2861_;
+                                                                            let _e2020 = phi_2862_;
+                                                                            let _e2022 = phi_2863_;
+                                                                            let _e2024 = phi_2864_;
                                                                             let _e2031 = ((_e2022.y * _e2020.z) - (_e2020.y * _e2022.z));
                                                                             let _e2036 = ((_e2022.z * _e2020.x) - (_e2020.z * _e2022.x));
                                                                             let _e2039 = ((_e2022.x * _e2020.y) - (_e2020.x * _e2022.y));
                                                                             if (_e1839 >= _e1843) {
-                                                                                phi_2798_ = select(true, false, (_e1839 >= _e1847));
+                                                                                phi_2901_ = select(true, false, (_e1839 >= _e1847));
                                                                             } else {
-                                                                                phi_2798_ = true;
+                                                                                phi_2901_ = true;
                                                                             }
-                                                                            let _e2044 = phi_2798_;
+                                                                            let _e2044 = phi_2901_;
                                                                             if _e2044 {
-                                                                                phi_2807_ = select(_e1942, _e1941, vec3((_e1843 >= _e1847)));
+                                                                                phi_2910_ = select(_e1942, _e1941, vec3((_e1843 >= _e1847)));
                                                                             } else {
-                                                                                phi_2807_ = _e1940;
+                                                                                phi_2910_ = _e1940;
                                                                             }
-                                                                            let _e2049 = phi_2807_;
+                                                                            let _e2049 = phi_2910_;
                                                                             let _e2060 = (((_e2031 * (_e2049.x - _e486)) + (_e2036 * (_e2049.y - _e553))) + (_e2039 * (_e2049.z - _e619)));
                                                                             let _e2065 = (((_e2031 * _e526) + (_e2036 * _e592)) + (_e2039 * _e658));
                                                                             let _e2066 = (_e2012 - _e2016);
@@ -1451,168 +1451,168 @@ fn function_() {
                                                                                 let _e2163 = bitcast<f32>((bitcast<u32>(_e2020.z) & 2147483647u));
                                                                                 let _e2167 = (bitcast<f32>((bitcast<u32>(_e2065) & 2147483647u)) > ((0.0000038146973f * select(_e2149, _e2146, (_e2146 > _e2149))) * select(_e2163, _e2160, (_e2160 > _e2163))));
                                                                                 if _e2167 {
-                                                                                    phi_2972_ = (_e2060 / _e2065);
+                                                                                    phi_3075_ = (_e2060 / _e2065);
                                                                                 } else {
-                                                                                    phi_2972_ = f32();
+                                                                                    phi_3075_ = f32();
                                                                                 }
-                                                                                let _e2170 = phi_2972_;
-                                                                                phi_2974_ = _e2170;
-                                                                                phi_2975_ = select(true, false, _e2167);
+                                                                                let _e2170 = phi_3075_;
+                                                                                phi_3077_ = _e2170;
+                                                                                phi_3078_ = select(true, false, _e2167);
                                                                             } else {
-                                                                                phi_2974_ = f32();
-                                                                                phi_2975_ = true;
+                                                                                phi_3077_ = f32();
+                                                                                phi_3078_ = true;
                                                                             }
-                                                                            let _e2173 = phi_2974_;
-                                                                            let _e2175 = phi_2975_;
+                                                                            let _e2173 = phi_3077_;
+                                                                            let _e2175 = phi_3078_;
                                                                             if _e2175 {
                                                                                 let _e2183 = (((_e2031 * (_e2092 - (_e526 * _e2095))) + (_e2036 * (_e2093 - (_e592 * _e2095)))) / _e2065);
                                                                                 if (bitcast<f32>((bitcast<u32>(_e2183) & 2147483647u)) <= _e1997) {
-                                                                                    phi_2995_ = (_e2095 + _e2183);
+                                                                                    phi_3098_ = (_e2095 + _e2183);
                                                                                 } else {
-                                                                                    phi_2995_ = _e2095;
+                                                                                    phi_3098_ = _e2095;
                                                                                 }
-                                                                                let _e2190 = phi_2995_;
-                                                                                phi_2996_ = _e2190;
+                                                                                let _e2190 = phi_3098_;
+                                                                                phi_3099_ = _e2190;
                                                                             } else {
-                                                                                phi_2996_ = _e2173;
+                                                                                phi_3099_ = _e2173;
                                                                             }
-                                                                            let _e2192 = phi_2996_;
+                                                                            let _e2192 = phi_3099_;
                                                                             let _e2194 = select(_e1930, _e2192, (_e2192 < _e1930));
                                                                             let _e2196 = select(_e1922, _e2194, (_e2194 > _e1922));
                                                                             if (_e2196 >= _e772) {
                                                                                 let _e2198 = (_e2196 <= _e1330.member);
                                                                                 if _e2198 {
                                                                                     let _e2199 = (1f / _e1849);
-                                                                                    phi_3019_ = type_25(_e2196, (_e1843 * _e2199), (_e1847 * _e2199), _e1390);
+                                                                                    phi_3122_ = type_25(_e2196, (_e1843 * _e2199), (_e1847 * _e2199), _e1390);
                                                                                 } else {
-                                                                                    phi_3019_ = type_25();
+                                                                                    phi_3122_ = type_25();
                                                                                 }
-                                                                                let _e2204 = phi_3019_;
-                                                                                phi_3021_ = _e2204;
-                                                                                phi_3022_ = select(true, false, _e2198);
+                                                                                let _e2204 = phi_3122_;
+                                                                                phi_3124_ = _e2204;
+                                                                                phi_3125_ = select(true, false, _e2198);
                                                                             } else {
-                                                                                phi_3021_ = type_25();
-                                                                                phi_3022_ = true;
+                                                                                phi_3124_ = type_25();
+                                                                                phi_3125_ = true;
                                                                             }
-                                                                            let _e2207 = phi_3021_;
-                                                                            let _e2209 = phi_3022_;
+                                                                            let _e2207 = phi_3124_;
+                                                                            let _e2209 = phi_3125_;
                                                                             if _e2209 {
-                                                                                phi_3026_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                                phi_3129_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                             } else {
-                                                                                phi_3026_ = _e2207;
+                                                                                phi_3129_ = _e2207;
                                                                             }
-                                                                            let _e2211 = phi_3026_;
-                                                                            phi_3027_ = _e2211;
+                                                                            let _e2211 = phi_3129_;
+                                                                            phi_3130_ = _e2211;
                                                                         }
-                                                                        let _e2213 = phi_3027_;
-                                                                        phi_3028_ = _e2213;
-                                                                        phi_3029_ = _e1939;
+                                                                        let _e2213 = phi_3130_;
+                                                                        phi_3131_ = _e2213;
+                                                                        phi_3132_ = _e1939;
                                                                     }
-                                                                    let _e2215 = phi_3028_;
-                                                                    let _e2217 = phi_3029_;
-                                                                    phi_3033_ = _e2215;
-                                                                    phi_3034_ = _e2217;
+                                                                    let _e2215 = phi_3131_;
+                                                                    let _e2217 = phi_3132_;
+                                                                    phi_3136_ = _e2215;
+                                                                    phi_3137_ = _e2217;
                                                                 }
-                                                                let _e2219 = phi_3033_;
-                                                                let _e2221 = phi_3034_;
-                                                                phi_3035_ = _e2219;
-                                                                phi_3036_ = _e1874;
-                                                                phi_3037_ = _e2221;
+                                                                let _e2219 = phi_3136_;
+                                                                let _e2221 = phi_3137_;
+                                                                phi_3138_ = _e2219;
+                                                                phi_3139_ = _e1874;
+                                                                phi_3140_ = _e2221;
                                                             }
-                                                            let _e2223 = phi_3035_;
-                                                            let _e2225 = phi_3036_;
-                                                            let _e2227 = phi_3037_;
-                                                            phi_3038_ = _e2223;
-                                                            phi_3039_ = _e2225;
-                                                            phi_3040_ = _e2227;
+                                                            let _e2223 = phi_3138_;
+                                                            let _e2225 = phi_3139_;
+                                                            let _e2227 = phi_3140_;
+                                                            phi_3141_ = _e2223;
+                                                            phi_3142_ = _e2225;
+                                                            phi_3143_ = _e2227;
                                                         }
-                                                        let _e2229 = phi_3038_;
-                                                        let _e2231 = phi_3039_;
-                                                        let _e2233 = phi_3040_;
-                                                        phi_3048_ = _e2229;
-                                                        phi_3049_ = select(_e2233, true, _e2231);
+                                                        let _e2229 = phi_3141_;
+                                                        let _e2231 = phi_3142_;
+                                                        let _e2233 = phi_3143_;
+                                                        phi_3151_ = _e2229;
+                                                        phi_3152_ = select(_e2233, true, _e2231);
                                                     } else {
-                                                        phi_3048_ = type_25();
-                                                        phi_3049_ = true;
+                                                        phi_3151_ = type_25();
+                                                        phi_3152_ = true;
                                                     }
-                                                    let _e2236 = phi_3048_;
-                                                    let _e2238 = phi_3049_;
+                                                    let _e2236 = phi_3151_;
+                                                    let _e2238 = phi_3152_;
                                                     if _e2238 {
-                                                        phi_3053_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_3156_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_3053_ = _e2236;
+                                                        phi_3156_ = _e2236;
                                                     }
-                                                    let _e2240 = phi_3053_;
+                                                    let _e2240 = phi_3156_;
                                                     if (_e2240.member_3 != 4294967295u) {
                                                         if (_e1390 == _e174) {
-                                                            phi_3382_ = false;
+                                                            phi_3491_ = false;
                                                         } else {
                                                             let _e2244 = (_e1390 < arrayLength((&global_6.member)));
                                                             if _e2244 {
                                                                 if _e2244 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e2246 = global_6.member[_e1390];
-                                                                phi_3076_ = _e2246;
+                                                                phi_3179_ = _e2246;
                                                             } else {
-                                                                phi_3076_ = 4294967295u;
+                                                                phi_3179_ = 4294967295u;
                                                             }
-                                                            let _e2248 = phi_3076_;
+                                                            let _e2248 = phi_3179_;
                                                             let _e2249 = (_e2248 < arrayLength((&global_7.member)));
                                                             if _e2249 {
                                                                 if _e2249 {
                                                                 } else {
-                                                                    phi_4895_ = true;
+                                                                    phi_5036_ = true;
                                                                     break;
                                                                 }
                                                                 let _e2251 = global_7.member[_e2248];
-                                                                phi_3090_ = _e2251;
+                                                                phi_3193_ = _e2251;
                                                             } else {
-                                                                phi_3090_ = 0i;
+                                                                phi_3193_ = 0i;
                                                             }
-                                                            let _e2253 = phi_3090_;
+                                                            let _e2253 = phi_3193_;
                                                             let _e2254 = (_e2253 == 0i);
                                                             if _e2254 {
-                                                                phi_3381_ = true;
+                                                                phi_3490_ = true;
                                                             } else {
                                                                 if _e463 {
-                                                                    phi_3111_ = vec3<f32>(_e1777[0][0], _e1777[0][1], _e1777[0][2]);
+                                                                    phi_3216_ = vec3<f32>(_e1777[0][0], _e1777[0][1], _e1777[0][2]);
                                                                 } else {
                                                                     if (_e439 == 1u) {
-                                                                        phi_3110_ = vec3<f32>(_e1777[0][2], _e1777[0][0], _e1777[0][1]);
+                                                                        phi_3215_ = vec3<f32>(_e1777[0][2], _e1777[0][0], _e1777[0][1]);
                                                                     } else {
-                                                                        phi_3110_ = vec3<f32>(_e1777[0][1], _e1777[0][2], _e1777[0][0]);
+                                                                        phi_3215_ = vec3<f32>(_e1777[0][1], _e1777[0][2], _e1777[0][0]);
                                                                     }
-                                                                    let _e2259 = phi_3110_;
-                                                                    phi_3111_ = _e2259;
+                                                                    let _e2259 = phi_3215_;
+                                                                    phi_3216_ = _e2259;
                                                                 }
-                                                                let _e2262 = phi_3111_;
+                                                                let _e2262 = phi_3216_;
                                                                 if _e463 {
-                                                                    phi_3128_ = vec3<f32>(_e1777[1][0], _e1777[1][1], _e1777[1][2]);
+                                                                    phi_3235_ = vec3<f32>(_e1777[1][0], _e1777[1][1], _e1777[1][2]);
                                                                 } else {
                                                                     if (_e439 == 1u) {
-                                                                        phi_3127_ = vec3<f32>(_e1777[1][2], _e1777[1][0], _e1777[1][1]);
+                                                                        phi_3234_ = vec3<f32>(_e1777[1][2], _e1777[1][0], _e1777[1][1]);
                                                                     } else {
-                                                                        phi_3127_ = vec3<f32>(_e1777[1][1], _e1777[1][2], _e1777[1][0]);
+                                                                        phi_3234_ = vec3<f32>(_e1777[1][1], _e1777[1][2], _e1777[1][0]);
                                                                     }
-                                                                    let _e2267 = phi_3127_;
-                                                                    phi_3128_ = _e2267;
+                                                                    let _e2267 = phi_3234_;
+                                                                    phi_3235_ = _e2267;
                                                                 }
-                                                                let _e2270 = phi_3128_;
+                                                                let _e2270 = phi_3235_;
                                                                 if _e463 {
-                                                                    phi_3145_ = vec3<f32>(_e1777[2][0], _e1777[2][1], _e1777[2][2]);
+                                                                    phi_3254_ = vec3<f32>(_e1777[2][0], _e1777[2][1], _e1777[2][2]);
                                                                 } else {
                                                                     if (_e439 == 1u) {
-                                                                        phi_3144_ = vec3<f32>(_e1777[2][2], _e1777[2][0], _e1777[2][1]);
+                                                                        phi_3253_ = vec3<f32>(_e1777[2][2], _e1777[2][0], _e1777[2][1]);
                                                                     } else {
-                                                                        phi_3144_ = vec3<f32>(_e1777[2][1], _e1777[2][2], _e1777[2][0]);
+                                                                        phi_3253_ = vec3<f32>(_e1777[2][1], _e1777[2][2], _e1777[2][0]);
                                                                     }
-                                                                    let _e2275 = phi_3144_;
-                                                                    phi_3145_ = _e2275;
+                                                                    let _e2275 = phi_3253_;
+                                                                    phi_3254_ = _e2275;
                                                                 }
-                                                                let _e2278 = phi_3145_;
+                                                                let _e2278 = phi_3254_;
                                                                 let _e2281 = (_e2270.x - _e2262.x);
                                                                 let _e2284 = (_e2270.y - _e2262.y);
                                                                 let _e2287 = (_e2270.z - _e2262.z);
@@ -1620,11 +1620,11 @@ fn function_() {
                                                                 let _e2291 = (_e2278.y - _e2262.y);
                                                                 let _e2293 = (_e2278.z - _e2262.z);
                                                                 if (_e306.member_1 == 1u) {
-                                                                    phi_3181_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e2262);
+                                                                    phi_3290_ = (vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]) - _e2262);
                                                                 } else {
-                                                                    phi_3181_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
+                                                                    phi_3290_ = vec3<f32>(_e306.member[0], _e306.member[1], _e306.member[2]);
                                                                 }
-                                                                let _e2308 = phi_3181_;
+                                                                let _e2308 = phi_3290_;
                                                                 let _e2314 = bitcast<f32>((bitcast<u32>((_e2281 * _e2291)) ^ _e306.member_3[0]));
                                                                 let _e2318 = bitcast<f32>((bitcast<u32>((_e2284 * _e2289)) ^ _e306.member_3[0]));
                                                                 let _e2322 = bitcast<f32>((bitcast<u32>((_e2284 * _e2293)) ^ _e306.member_3[0]));
@@ -1638,7 +1638,7 @@ fn function_() {
                                                                 let _e2368 = (bitcast<f32>((bitcast<u32>(_e2330) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2334) & 2147483647u)));
                                                                 let _e2375 = (bitcast<f32>((bitcast<u32>(_e2314) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2318) & 2147483647u)));
                                                                 if (_e306.member_2 == 0f) {
-                                                                    phi_3363_ = 0f;
+                                                                    phi_3472_ = 0f;
                                                                 } else {
                                                                     let _e2405 = bitcast<f32>((bitcast<u32>(_e2335) & 2147483647u));
                                                                     let _e2408 = bitcast<f32>((bitcast<u32>(_e2336) & 2147483647u));
@@ -1648,87 +1648,87 @@ fn function_() {
                                                                     let _e2421 = select(_e2408, _e2405, (_e2405 < _e2408));
                                                                     let _e2423 = select(_e2408, _e2405, (_e2405 > _e2408));
                                                                     let _e2425 = select(_e2411, _e2423, (_e2423 < _e2411));
-                                                                    phi_3363_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2413, _e2405, (_e2405 > _e2413)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2425, _e2421, (_e2421 > _e2425)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2417, _e2405, (_e2405 < _e2417)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2361 + _e2368) + _e2375))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
+                                                                    phi_3472_ = bitcast<f32>((bitcast<u32>((_e306.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2413, _e2405, (_e2405 > _e2413)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2425, _e2421, (_e2421 > _e2425)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2417, _e2405, (_e2405 < _e2417)))) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2361 + _e2368) + _e2375))) ^ _e306.member_3[0]))) * 1.0000005f)) ^ _e306.member_3[0])))) ^ _e306.member_3[0]));
                                                                 }
-                                                                let _e2452 = phi_3363_;
-                                                                phi_3381_ = (_e2254 || !(((((bitcast<f32>((bitcast<u32>((_e2308.x * _e2335)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2308.y * _e2336)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2308.z * _e2337)) ^ _e306.member_3[0]))) * f32(-(_e2253))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.x) & 2147483647u)) * _e2361)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.y) & 2147483647u)) * _e2368)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.z) & 2147483647u)) * _e2375)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e2452) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2452 = phi_3472_;
+                                                                phi_3490_ = (_e2254 || !(((((bitcast<f32>((bitcast<u32>((_e2308.x * _e2335)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2308.y * _e2336)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2308.z * _e2337)) ^ _e306.member_3[0]))) * f32(-(_e2253))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.x) & 2147483647u)) * _e2361)) ^ _e306.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.y) & 2147483647u)) * _e2368)) ^ _e306.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2308.z) & 2147483647u)) * _e2375)) ^ _e306.member_3[0]))))) ^ _e306.member_3[0])) + _e2452) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2466 = phi_3381_;
-                                                            phi_3382_ = _e2466;
+                                                            let _e2466 = phi_3490_;
+                                                            phi_3491_ = _e2466;
                                                         }
-                                                        let _e2468 = phi_3382_;
+                                                        let _e2468 = phi_3491_;
                                                         if _e2468 {
-                                                            phi_3387_ = type_46(_e1330.member, true);
+                                                            phi_3496_ = type_46(_e1330.member, true);
                                                         } else {
-                                                            phi_3387_ = _e1330;
+                                                            phi_3496_ = _e1330;
                                                         }
-                                                        let _e2473 = phi_3387_;
-                                                        phi_3388_ = _e2473;
+                                                        let _e2473 = phi_3496_;
+                                                        phi_3497_ = _e2473;
                                                     } else {
-                                                        phi_3388_ = _e1330;
+                                                        phi_3497_ = _e1330;
                                                     }
-                                                    let _e2475 = phi_3388_;
-                                                    phi_1477_ = _e2475;
+                                                    let _e2475 = phi_3497_;
+                                                    phi_1494_ = _e2475;
                                                 } else {
-                                                    phi_1477_ = type_46();
+                                                    phi_1494_ = type_46();
                                                 }
-                                                let _e2477 = phi_1477_;
+                                                let _e2477 = phi_1494_;
                                                 continue;
                                                 continuing {
-                                                    phi_1476_ = _e2477;
-                                                    phi_1479_ = _e1345;
-                                                    phi_4895_ = _e814;
+                                                    phi_1493_ = _e2477;
+                                                    phi_1496_ = _e1345;
+                                                    phi_5036_ = _e814;
                                                     break if !(_e1351);
                                                 }
                                             }
-                                            let _e2480 = phi_4895_;
-                                            phi_5134_ = _e2480;
+                                            let _e2480 = phi_5036_;
+                                            phi_5275_ = _e2480;
                                             if _e2480 {
                                                 break;
                                             }
                                             let _e2482 = local_10;
-                                            phi_5138_ = _e2480;
+                                            phi_5279_ = _e2480;
                                             let _e2728 = local_12;
-                                            phi_4629_ = _e2728;
-                                            phi_4630_ = _e855;
-                                            phi_4631_ = false;
-                                            phi_4632_ = select(_e859, 0u, _e2482.member_1);
+                                            phi_4770_ = _e2728;
+                                            phi_4771_ = false;
+                                            phi_4772_ = select(_e857, 0u, _e2482.member_1);
+                                            phi_4773_ = _e859;
                                         } else {
-                                            if (_e855.member_1 >= _e106) {
-                                                phi_4185_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e859.member_1 >= _e106) {
+                                                phi_4305_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e855.member_1 < _e106) {
+                                                if (_e859.member_1 < _e106) {
                                                 } else {
-                                                    phi_5134_ = true;
+                                                    phi_5275_ = true;
                                                     break;
                                                 }
                                                 let _e872 = ((1u + _e439) % 4u);
                                                 if (_e872 < 4u) {
                                                 } else {
-                                                    phi_5134_ = true;
+                                                    phi_5275_ = true;
                                                     break;
                                                 }
-                                                let _e877 = global_5.member[_e855.member_1][_e872];
+                                                let _e877 = global_5.member[_e859.member_1][_e872];
                                                 let _e879 = (_e877 >> bitcast<u32>(11u));
                                                 let _e881 = ((1u + _e438) % 4u);
                                                 if (_e881 < 4u) {
                                                 } else {
-                                                    phi_5134_ = true;
+                                                    phi_5275_ = true;
                                                     break;
                                                 }
-                                                let _e886 = global_5.member[_e855.member_1][_e881];
+                                                let _e886 = global_5.member[_e859.member_1][_e881];
                                                 let _e888 = (_e886 >> bitcast<u32>(11u));
                                                 let _e890 = ((1u + _e440) % 4u);
                                                 if (_e890 < 4u) {
                                                 } else {
-                                                    phi_5134_ = true;
+                                                    phi_5275_ = true;
                                                     break;
                                                 }
-                                                let _e895 = global_5.member[_e855.member_1][_e890];
+                                                let _e895 = global_5.member[_e859.member_1][_e890];
                                                 let _e897 = (_e895 >> bitcast<u32>(11u));
-                                                let _e920 = (bitcast<f32>((bitcast<u32>((_e855.member.member_1.x - _e855.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e921 = (bitcast<f32>((bitcast<u32>((_e855.member.member_1.y - _e855.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e922 = (bitcast<f32>((bitcast<u32>((_e855.member.member_1.z - _e855.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e920 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.x - _e859.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e921 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.y - _e859.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e922 = (bitcast<f32>((bitcast<u32>((_e859.member.member_1.z - _e859.member.member.z)) & 2139095040u)) * 0.001953125f);
                                                 let _e924 = select(_e165, _e920, (_e920 > _e165));
                                                 let _e926 = select(_e165, _e921, (_e921 > _e165));
                                                 let _e928 = select(_e165, _e922, (_e922 > _e165));
@@ -1756,46 +1756,46 @@ fn function_() {
                                                 let _e1028 = bitcast<f32>((_e998 & bitcast<u32>(~(_e1003))));
                                                 let _e1032 = bitcast<f32>((_e1007 & bitcast<u32>(~(_e1012))));
                                                 let _e1036 = bitcast<f32>((_e1016 & bitcast<u32>(~(_e1021))));
-                                                let _e1037 = (_e855.member.member.x + _e967);
-                                                let _e1038 = (_e855.member.member.y + _e976);
-                                                let _e1039 = (_e855.member.member.z + _e985);
-                                                let _e1042 = (_e855.member.member_1.x - _e1006);
-                                                let _e1043 = (_e855.member.member_1.y - _e1015);
-                                                let _e1044 = (_e855.member.member_1.z - _e1024);
+                                                let _e1037 = (_e859.member.member.x + _e967);
+                                                let _e1038 = (_e859.member.member.y + _e976);
+                                                let _e1039 = (_e859.member.member.z + _e985);
+                                                let _e1042 = (_e859.member.member_1.x - _e1006);
+                                                let _e1043 = (_e859.member.member_1.y - _e1015);
+                                                let _e1044 = (_e859.member.member_1.z - _e1024);
                                                 let _e1063 = (_e1042 - _e1037);
                                                 let _e1064 = (_e1043 - _e1038);
                                                 let _e1065 = (_e1044 - _e1039);
                                                 let _e1067 = select(_e1064, _e1063, (_e1063 > _e1064));
                                                 let _e1069 = select(_e1065, _e1067, (_e1067 > _e1065));
                                                 if (_e1069 < (1024f * _e165)) {
-                                                    phi_3886_ = 0u;
+                                                    phi_4006_ = 0u;
                                                 } else {
-                                                    phi_3886_ = select(2u, 1u, (_e1069 < (2097152f * _e165)));
+                                                    phi_4006_ = select(2u, 1u, (_e1069 < (2097152f * _e165)));
                                                 }
-                                                let _e1076 = phi_3886_;
+                                                let _e1076 = phi_4006_;
                                                 switch bitcast<i32>(_e1076) {
                                                     case 0: {
-                                                        phi_3892_ = 1u;
+                                                        phi_4012_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3892_ = 2u;
+                                                        phi_4012_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3892_ = 3u;
+                                                        phi_4012_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3892_ = u32();
+                                                        phi_4012_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1079 = phi_3892_;
-                                                let _e1085 = global_5.member[_e855.member_1][0u];
-                                                let _e1089 = global_5.member[_e855.member_1][1u];
-                                                let _e1093 = global_5.member[_e855.member_1][2u];
-                                                let _e1097 = global_5.member[_e855.member_1][3u];
+                                                let _e1079 = phi_4012_;
+                                                let _e1085 = global_5.member[_e859.member_1][0u];
+                                                let _e1089 = global_5.member[_e859.member_1][1u];
+                                                let _e1093 = global_5.member[_e859.member_1][2u];
+                                                let _e1097 = global_5.member[_e859.member_1][3u];
                                                 let _e1109 = (((_e1089 >> bitcast<u32>(22i)) | ((_e1093 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e1097 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
                                                 let _e1110 = (_e1085 & 268435455u);
                                                 let _e1111 = (_e1109 & 268435455u);
@@ -1803,48 +1803,48 @@ fn function_() {
                                                 let _e1122 = ((_e1085 >> bitcast<u32>(31i)) | (((_e1109 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
                                                 let _e1123 = (_e1114 != 0u);
                                                 if (_e1114 == 0u) {
-                                                    phi_4147_ = _e1110;
+                                                    phi_4267_ = _e1110;
                                                 } else {
                                                     if (_e1114 == 7u) {
-                                                        phi_4146_ = 2147483648u;
+                                                        phi_4266_ = 2147483648u;
                                                     } else {
-                                                        phi_4146_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (_e1111 & 268435455u));
+                                                        phi_4266_ = ((2147483648u | (_e1114 << bitcast<u32>(28u))) | (_e1111 & 268435455u));
                                                     }
-                                                    let _e1132 = phi_4146_;
-                                                    phi_4147_ = _e1132;
+                                                    let _e1132 = phi_4266_;
+                                                    phi_4267_ = _e1132;
                                                 }
-                                                let _e1134 = phi_4147_;
+                                                let _e1134 = phi_4267_;
                                                 if _e1123 {
                                                     let _e1135 = (_e1114 != 7u);
                                                     if _e1135 {
-                                                        phi_4157_ = (_e1111 + (_e1114 * ((3u * _e1079) + 1u)));
+                                                        phi_4277_ = (_e1111 + (_e1114 * ((3u * _e1079) + 1u)));
                                                     } else {
-                                                        phi_4157_ = u32();
+                                                        phi_4277_ = u32();
                                                     }
-                                                    let _e1139 = phi_4157_;
-                                                    phi_4159_ = _e1139;
-                                                    phi_4160_ = select(true, false, _e1135);
+                                                    let _e1139 = phi_4277_;
+                                                    phi_4279_ = _e1139;
+                                                    phi_4280_ = select(true, false, _e1135);
                                                 } else {
-                                                    phi_4159_ = u32();
-                                                    phi_4160_ = true;
+                                                    phi_4279_ = u32();
+                                                    phi_4280_ = true;
                                                 }
-                                                let _e1142 = phi_4159_;
-                                                let _e1144 = phi_4160_;
+                                                let _e1142 = phi_4279_;
+                                                let _e1144 = phi_4280_;
                                                 if (_e1122 == 0u) {
-                                                    phi_4181_ = (_e1110 + select(0u, 1u, !(_e1123)));
+                                                    phi_4301_ = (_e1110 + select(0u, 1u, !(_e1123)));
                                                 } else {
                                                     if (_e1122 == 7u) {
-                                                        phi_4180_ = 2147483648u;
+                                                        phi_4300_ = 2147483648u;
                                                     } else {
-                                                        phi_4180_ = ((2147483648u | (_e1122 << bitcast<u32>(28u))) | (select(_e1142, _e1111, _e1144) & 268435455u));
+                                                        phi_4300_ = ((2147483648u | (_e1122 << bitcast<u32>(28u))) | (select(_e1142, _e1111, _e1144) & 268435455u));
                                                     }
-                                                    let _e1157 = phi_4180_;
-                                                    phi_4181_ = _e1157;
+                                                    let _e1157 = phi_4300_;
+                                                    phi_4301_ = _e1157;
                                                 }
-                                                let _e1159 = phi_4181_;
-                                                phi_4185_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e1037, (_e855.member.member.x + _e989), _e1042, (_e855.member.member_1.x - _e1028)), vec4<f32>(_e1038, (_e855.member.member.y + _e993), _e1043, (_e855.member.member_1.y - _e1032)), vec4<f32>(_e1039, (_e855.member.member.z + _e997), _e1044, (_e855.member.member_1.z - _e1036))), type_58(type_34((_e855.member.member + vec4<f32>(_e967, _e976, _e985, 0f)), (_e855.member.member_1 - vec4<f32>(_e1006, _e1015, _e1024, 0f))), _e1134), type_58(type_34((_e855.member.member + vec4<f32>(_e989, _e993, _e997, 0f)), (_e855.member.member_1 - vec4<f32>(_e1028, _e1032, _e1036, 0f))), _e1159));
+                                                let _e1159 = phi_4301_;
+                                                phi_4305_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e1037, (_e859.member.member.x + _e989), _e1042, (_e859.member.member_1.x - _e1028)), vec4<f32>(_e1038, (_e859.member.member.y + _e993), _e1043, (_e859.member.member_1.y - _e1032)), vec4<f32>(_e1039, (_e859.member.member.z + _e997), _e1044, (_e859.member.member_1.z - _e1036))), type_58(type_34((_e859.member.member + vec4<f32>(_e967, _e976, _e985, 0f)), (_e859.member.member_1 - vec4<f32>(_e1006, _e1015, _e1024, 0f))), _e1134), type_58(type_34((_e859.member.member + vec4<f32>(_e989, _e993, _e997, 0f)), (_e859.member.member_1 - vec4<f32>(_e1028, _e1032, _e1036, 0f))), _e1159));
                                             }
-                                            let _e1164 = phi_4185_;
+                                            let _e1164 = phi_4305_;
                                             let _e1176 = ((_e1164.member[0].x - _e524) * _e529);
                                             let _e1177 = ((_e1164.member[0].y - _e524) * _e529);
                                             let _e1178 = ((_e1164.member[0].z - _e525) * _e529);
@@ -1887,188 +1887,188 @@ fn function_() {
                                             if _e1264 {
                                                 if _e1265 {
                                                     if _e1266 {
-                                                        phi_4529_ = _e1164.member_2;
+                                                        phi_4667_ = _e1164.member_2;
                                                     } else {
-                                                        phi_4529_ = _e1164.member_1;
+                                                        phi_4667_ = _e1164.member_1;
                                                     }
-                                                    let _e1270 = phi_4529_;
-                                                    let _e1292 = (_e859 % 128u);
+                                                    let _e1270 = phi_4667_;
+                                                    let _e1292 = (_e857 % 128u);
                                                     let _e1293 = (_e1292 < 128u);
                                                     if _e1293 {
                                                     } else {
-                                                        phi_5134_ = true;
+                                                        phi_5275_ = true;
                                                         break;
                                                     }
                                                     local_8[_e1292] = _e1270.member_1;
                                                     if _e1293 {
                                                     } else {
-                                                        phi_5134_ = true;
+                                                        phi_5275_ = true;
                                                         break;
                                                     }
                                                     local_7[_e1292] = _e1270.member.member.x;
                                                     if _e1293 {
                                                     } else {
-                                                        phi_5134_ = true;
+                                                        phi_5275_ = true;
                                                         break;
                                                     }
                                                     local_6[_e1292] = _e1270.member.member.y;
                                                     if _e1293 {
                                                     } else {
-                                                        phi_5134_ = true;
+                                                        phi_5275_ = true;
                                                         break;
                                                     }
                                                     local_5[_e1292] = _e1270.member.member.z;
                                                     if _e1293 {
                                                     } else {
-                                                        phi_5134_ = true;
+                                                        phi_5275_ = true;
                                                         break;
                                                     }
                                                     local_4[_e1292] = _e1270.member.member_1.x;
                                                     if _e1293 {
                                                     } else {
-                                                        phi_5134_ = true;
+                                                        phi_5275_ = true;
                                                         break;
                                                     }
                                                     local_3[_e1292] = _e1270.member.member_1.y;
                                                     if _e1293 {
                                                     } else {
-                                                        phi_5134_ = true;
+                                                        phi_5275_ = true;
                                                         break;
                                                     }
                                                     local_2[_e1292] = _e1270.member.member_1.z;
                                                     if _e1293 {
                                                     } else {
-                                                        phi_5134_ = true;
+                                                        phi_5275_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1292] = select(_e1259, _e1257, (_e1257 > _e1259));
+                                                    local_9[_e1292] = select(_e1259, _e1257, !(_e1266));
                                                     if _e1266 {
-                                                        phi_4606_ = _e1164.member_1;
+                                                        phi_4744_ = _e1164.member_1;
                                                     } else {
-                                                        phi_4606_ = _e1164.member_2;
+                                                        phi_4744_ = _e1164.member_2;
                                                     }
-                                                    let _e1306 = phi_4606_;
-                                                    phi_4607_ = _e1306;
-                                                    phi_4608_ = (_e859 + 1u);
+                                                    let _e1306 = phi_4744_;
+                                                    phi_4745_ = (_e857 + 1u);
+                                                    phi_4746_ = _e1306;
                                                 } else {
-                                                    phi_4607_ = type_58();
-                                                    phi_4608_ = u32();
+                                                    phi_4745_ = u32();
+                                                    phi_4746_ = type_58();
                                                 }
-                                                let _e1308 = phi_4607_;
-                                                let _e1310 = phi_4608_;
-                                                phi_4610_ = _e1308;
-                                                phi_4611_ = _e1310;
-                                                phi_4612_ = select(true, false, _e1265);
+                                                let _e1308 = phi_4745_;
+                                                let _e1310 = phi_4746_;
+                                                phi_4748_ = _e1308;
+                                                phi_4749_ = _e1310;
+                                                phi_4750_ = select(true, false, _e1265);
                                             } else {
-                                                phi_4610_ = type_58();
-                                                phi_4611_ = u32();
-                                                phi_4612_ = true;
+                                                phi_4748_ = u32();
+                                                phi_4749_ = type_58();
+                                                phi_4750_ = true;
                                             }
-                                            let _e1313 = phi_4610_;
-                                            let _e1315 = phi_4611_;
-                                            let _e1317 = phi_4612_;
+                                            let _e1313 = phi_4748_;
+                                            let _e1315 = phi_4749_;
+                                            let _e1317 = phi_4750_;
                                             if _e1317 {
                                                 if _e1264 {
-                                                    phi_4621_ = _e1164.member_1;
+                                                    phi_4759_ = _e1164.member_1;
                                                 } else {
-                                                    phi_4621_ = _e1164.member_2;
+                                                    phi_4759_ = _e1164.member_2;
                                                 }
-                                                let _e1321 = phi_4621_;
-                                                phi_4626_ = _e1321;
-                                                phi_4627_ = select(_e1265, true, _e1264);
+                                                let _e1321 = phi_4759_;
+                                                phi_4764_ = select(_e1265, true, _e1264);
+                                                phi_4766_ = _e1321;
                                             } else {
-                                                phi_4626_ = _e1313;
-                                                phi_4627_ = _e857;
+                                                phi_4764_ = _e855;
+                                                phi_4766_ = _e1315;
                                             }
-                                            let _e1324 = phi_4626_;
-                                            let _e1326 = phi_4627_;
-                                            phi_5138_ = _e814;
-                                            phi_4629_ = _e816;
-                                            phi_4630_ = _e1324;
-                                            phi_4631_ = _e1326;
-                                            phi_4632_ = select(_e1315, _e859, _e1317);
+                                            let _e1324 = phi_4764_;
+                                            let _e1326 = phi_4766_;
+                                            phi_5279_ = _e814;
+                                            phi_4770_ = _e816;
+                                            phi_4771_ = _e1324;
+                                            phi_4772_ = select(_e1313, _e857, _e1317);
+                                            phi_4773_ = _e1326;
                                         }
-                                        let _e2486 = phi_5138_;
-                                        let _e2488 = phi_4629_;
-                                        let _e2490 = phi_4630_;
-                                        let _e2492 = phi_4631_;
-                                        let _e2494 = phi_4632_;
-                                        phi_5137_ = _e2486;
-                                        phi_4633_ = _e2488;
-                                        phi_4634_ = _e2490;
-                                        phi_4635_ = (_e820 - 1u);
-                                        phi_4636_ = _e2492;
-                                        phi_4637_ = _e2494;
+                                        let _e2486 = phi_5279_;
+                                        let _e2488 = phi_4770_;
+                                        let _e2490 = phi_4771_;
+                                        let _e2492 = phi_4772_;
+                                        let _e2494 = phi_4773_;
+                                        phi_5278_ = _e2486;
+                                        phi_4774_ = _e2488;
+                                        phi_4775_ = _e2490;
+                                        phi_4776_ = (_e820 - 1u);
+                                        phi_4777_ = _e2492;
+                                        phi_4778_ = _e2494;
                                     } else {
-                                        phi_5137_ = _e814;
-                                        phi_4633_ = _e816;
-                                        phi_4634_ = _e855;
-                                        phi_4635_ = _e820;
-                                        phi_4636_ = _e857;
-                                        phi_4637_ = _e859;
+                                        phi_5278_ = _e814;
+                                        phi_4774_ = _e816;
+                                        phi_4775_ = _e855;
+                                        phi_4776_ = _e820;
+                                        phi_4777_ = _e857;
+                                        phi_4778_ = _e859;
                                     }
-                                    let _e2496 = phi_5137_;
-                                    let _e2498 = phi_4633_;
-                                    let _e2500 = phi_4634_;
-                                    let _e2502 = phi_4635_;
-                                    let _e2504 = phi_4636_;
-                                    let _e2506 = phi_4637_;
-                                    phi_5136_ = _e2496;
-                                    phi_4638_ = _e2498;
-                                    phi_4639_ = _e2500;
-                                    phi_4640_ = _e2502;
-                                    phi_4641_ = _e2504;
-                                    phi_4642_ = _e2506;
+                                    let _e2496 = phi_5278_;
+                                    let _e2498 = phi_4774_;
+                                    let _e2500 = phi_4775_;
+                                    let _e2502 = phi_4776_;
+                                    let _e2504 = phi_4777_;
+                                    let _e2506 = phi_4778_;
+                                    phi_5277_ = _e2496;
+                                    phi_4779_ = _e2498;
+                                    phi_4780_ = _e2500;
+                                    phi_4781_ = _e2502;
+                                    phi_4782_ = _e2504;
+                                    phi_4783_ = _e2506;
                                 } else {
-                                    phi_5136_ = _e814;
-                                    phi_4638_ = type_46();
-                                    phi_4639_ = type_58();
-                                    phi_4640_ = u32();
-                                    phi_4641_ = bool();
-                                    phi_4642_ = u32();
+                                    phi_5277_ = _e814;
+                                    phi_4779_ = type_46();
+                                    phi_4780_ = bool();
+                                    phi_4781_ = u32();
+                                    phi_4782_ = u32();
+                                    phi_4783_ = type_58();
                                 }
-                                let _e2508 = phi_5136_;
-                                let _e2510 = phi_4638_;
-                                let _e2512 = phi_4639_;
-                                let _e2514 = phi_4640_;
-                                let _e2516 = phi_4641_;
-                                let _e2518 = phi_4642_;
-                                phi_5135_ = _e2508;
-                                phi_1350_ = _e2510;
-                                phi_1353_ = _e2512;
-                                phi_1355_ = _e2514;
-                                phi_1357_ = _e2516;
-                                phi_1359_ = _e2518;
-                                phi_4643_ = _e828;
+                                let _e2508 = phi_5277_;
+                                let _e2510 = phi_4779_;
+                                let _e2512 = phi_4780_;
+                                let _e2514 = phi_4781_;
+                                let _e2516 = phi_4782_;
+                                let _e2518 = phi_4783_;
+                                phi_5276_ = _e2508;
+                                phi_1367_ = _e2510;
+                                phi_1370_ = _e2512;
+                                phi_1372_ = _e2514;
+                                phi_1374_ = _e2516;
+                                phi_1376_ = _e2518;
+                                phi_4784_ = _e828;
                             } else {
-                                phi_5135_ = _e814;
-                                phi_1350_ = type_46();
-                                phi_1353_ = type_58();
-                                phi_1355_ = u32();
-                                phi_1357_ = bool();
-                                phi_1359_ = u32();
-                                phi_4643_ = false;
+                                phi_5276_ = _e814;
+                                phi_1367_ = type_46();
+                                phi_1370_ = bool();
+                                phi_1372_ = u32();
+                                phi_1374_ = u32();
+                                phi_1376_ = type_58();
+                                phi_4784_ = false;
                             }
-                            let _e2520 = phi_5135_;
-                            let _e2522 = phi_1350_;
-                            let _e2524 = phi_1353_;
-                            let _e2526 = phi_1355_;
-                            let _e2528 = phi_1357_;
-                            let _e2530 = phi_1359_;
-                            let _e2532 = phi_4643_;
+                            let _e2520 = phi_5276_;
+                            let _e2522 = phi_1367_;
+                            let _e2524 = phi_1370_;
+                            let _e2526 = phi_1372_;
+                            let _e2528 = phi_1374_;
+                            let _e2530 = phi_1376_;
+                            let _e2532 = phi_4784_;
                             continue;
                             continuing {
-                                phi_4901_ = _e2520;
-                                phi_1349_ = _e2522;
-                                phi_1352_ = _e2524;
-                                phi_1354_ = _e2526;
-                                phi_1356_ = _e2528;
-                                phi_1358_ = _e2530;
-                                phi_5134_ = _e2520;
+                                phi_5042_ = _e2520;
+                                phi_1366_ = _e2522;
+                                phi_1369_ = _e2524;
+                                phi_1371_ = _e2526;
+                                phi_1373_ = _e2528;
+                                phi_1375_ = _e2530;
+                                phi_5275_ = _e2520;
                                 break if !(_e2532);
                             }
                         }
-                        let _e2535 = phi_5134_;
+                        let _e2535 = phi_5275_;
                         if _e2535 {
                             break;
                         }

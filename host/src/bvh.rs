@@ -8,9 +8,9 @@ pub use error::TreeError;
 
 use crate::animate::sah_cost;
 use crate::codec::{MeshCodec, NodeCodec};
-use crate::coded::{Coded, Shared, Stacks, with_stacks};
+use crate::coded::{Alone, Coded, Shared, Stacks, Watched, with_stacks};
 use crate::cpu::decode;
-use rayon::prelude::*;
+use crate::packets::ButOne;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::{Except, Facing, Sides};
@@ -18,8 +18,8 @@ use slimbvh_core::encode::RootWords;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
 use slimbvh_core::trace::{
-    self, AnyHit, ClosestHit, ClosestOrAny, Collector, LeafTriangles, NearestHits, PlainNodes,
-    traverse, traverse_with,
+    self, AnyHit, ClosestHit, ClosestOrAny, Collector, Lane, LeafTriangles, NearestHits,
+    PlainNodes, traverse, traverse_with,
 };
 use slimbvh_core::{LeafTriangle, Node};
 
@@ -62,21 +62,13 @@ impl Bvh {
         };
         let prepared = PreparedRay::new(ray, self.scene_exponent);
         let mut collector = NearestHits::<K>::new(prepared.t_max);
-        let rule = facing(NO_PRIMITIVE, None);
-        coded.trace_any(&self.triangles, &prepared, &rule, &mut collector);
+        let errand = Watched {
+            ray: &prepared,
+            rule: facing(NO_PRIMITIVE, None),
+            collector: &mut collector,
+        };
+        with_stacks(|stacks| coded.walk(&self.triangles, errand, stacks));
         collector.hits.map(|hit| prepared.restore(hit))
-    }
-
-    /// [`Self::closest_hit`] of many rays, in parallel. `hits` gets as many entries as there are rays.
-    pub fn closest_hits(&self, rays: &[Ray], hits: &mut Vec<Hit>) {
-        const BLOCK: usize = 512;
-        hits.resize(rays.len(), Hit::MISS);
-        let blocks = hits.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
-        blocks.for_each(|(hits, rays)| {
-            for (hit, ray) in hits.iter_mut().zip(rays) {
-                *hit = self.closest_hit(ray);
-            }
-        });
     }
 
     /// [`Self::closest_hit`] of a ray whose scene has this exponent, without a primitive, and where there is a target without
@@ -90,12 +82,14 @@ impl Bvh {
     ) -> Hit {
         let prepared = PreparedRay::new(ray, exponent);
         if let Some(coded) = &self.coded {
-            let mut collector = ClosestOrAny::closest(prepared.t_max);
-            let rule = facing(skip, target);
-            with_stacks(|stacks| {
-                coded.trace(&self.triangles, &prepared, &rule, &mut collector, stacks);
-            });
-            return prepared.restore(collector.closest.hit);
+            let all = facing(NO_PRIMITIVE, target);
+            let mut lane = Lane {
+                ray: prepared,
+                rule: ButOne::new(&all, skip),
+                collector: ClosestOrAny::closest(prepared.t_max),
+            };
+            with_stacks(|stacks| coded.walk(&self.triangles, Alone(&mut lane), stacks));
+            return prepared.restore(lane.collector.closest.hit);
         }
         let mut collector = ClosestHit::new(prepared.t_max);
         self.trace_plain(&prepared, skip, target, &mut collector);
@@ -112,12 +106,14 @@ impl Bvh {
     ) -> bool {
         let prepared = PreparedRay::new(ray, exponent);
         if let Some(coded) = &self.coded {
-            let mut collector = ClosestOrAny::any(prepared.t_max);
-            let rule = facing(skip, target);
-            with_stacks(|stacks| {
-                coded.trace(&self.triangles, &prepared, &rule, &mut collector, stacks);
-            });
-            return collector.closest.hit.is_hit();
+            let all = facing(NO_PRIMITIVE, target);
+            let mut lane = Lane {
+                ray: prepared,
+                rule: ButOne::new(&all, skip),
+                collector: ClosestOrAny::any(prepared.t_max),
+            };
+            with_stacks(|stacks| coded.walk(&self.triangles, Alone(&mut lane), stacks));
+            return lane.collector.closest.hit.is_hit();
         }
         let mut collector = AnyHit::new(prepared.t_max);
         self.trace_plain(&prepared, skip, target, &mut collector);
@@ -133,11 +129,13 @@ impl Bvh {
         collector: &mut C,
     ) {
         let (nodes, triangles) = (self.node_source(), self.triangle_source());
-        with_stacks(|Stacks { plain, .. }| match target {
-            None => traverse_with(plain, &nodes, &triangles, ray, &Except(skip), collector),
-            Some(_) => {
+        with_stacks(|Stacks { plain, .. }| {
+            let stack = &mut plain.alone;
+            if target.is_none() {
+                traverse_with(stack, &nodes, &triangles, ray, &Except(skip), collector);
+            } else {
                 let rule = facing(skip, target);
-                traverse_with(plain, &nodes, &triangles, ray, &rule, collector);
+                traverse_with(stack, &nodes, &triangles, ray, &rule, collector);
             }
         });
     }
@@ -145,7 +143,12 @@ impl Bvh {
     /// Traces one ray with whatever is asked, and counts what is touched on the way. Slower than the other questions.
     pub fn collect(&self, ray: &PreparedRay, skip: u32, collector: &mut dyn Collector) {
         if let Some(coded) = &self.coded {
-            coded.trace_any(&self.triangles, ray, &facing(skip, None), collector);
+            let errand = Watched {
+                ray,
+                rule: facing(skip, None),
+                collector,
+            };
+            with_stacks(|stacks| coded.walk(&self.triangles, errand, stacks));
         } else {
             let (nodes, triangles) = (self.node_source(), self.triangle_source());
             traverse(
@@ -301,7 +304,7 @@ impl Bvh {
 }
 
 /// The rule of all trees in codecs: where there is no target, no triangle faces away.
-fn facing<'a>(skip: u32, target: Option<(Sides<'a>, Target)>) -> Facing<'a> {
+pub(crate) fn facing<'a>(skip: u32, target: Option<(Sides<'a>, Target)>) -> Facing<'a> {
     let everything = Sides {
         components: &[],
         sides: &[],

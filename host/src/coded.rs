@@ -1,6 +1,7 @@
 //! Nodes and triangles in codecs, and traversal of them.
 
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
+use crate::packets::{AskedPacket, ButOne, GROUPS};
 use slimbvh_core::classify::Facing;
 use slimbvh_core::encode::{
     LatticeCursor, LatticeNodes, LatticeTriangles, PrintedBox, PrintedCursor, PrintedNode,
@@ -9,7 +10,10 @@ use slimbvh_core::encode::{
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{ClosestOrAny, Collector, LeafTriangles, Stack, traverse_with};
+use slimbvh_core::trace::{
+    ClosestOrAny, Collector, Lane, LeafTriangles, NodeSource, PacketStacks, TriangleSource,
+    trace_alone, trace_packet, traverse_with,
+};
 use slimbvh_core::{LeafTriangle, NodeRef};
 use std::cell::RefCell;
 
@@ -152,40 +156,8 @@ impl Coded {
         }
     }
 
-    /// The closest hit, or any, as the collector wants. `plain` are the triangles where they are stored in full.
-    pub fn trace(
-        &self,
-        plain: &[LeafTriangle],
-        ray: &PreparedRay,
-        rule: &Facing,
-        collector: &mut ClosestOrAny,
-        stacks: &mut Stacks,
-    ) {
-        self.walk(plain, ray, rule, collector, stacks);
-    }
-
-    /// Whatever else may be asked, at the price of a call for each node.
-    pub fn trace_any(
-        &self,
-        plain: &[LeafTriangle],
-        ray: &PreparedRay,
-        rule: &Facing,
-        collector: &mut dyn Collector,
-    ) {
-        let mut stacks = Stacks::NEW;
-        self.walk(plain, ray, rule, &mut Shared(collector), &mut stacks);
-    }
-
-    /// One traversal for each codec.
-    #[inline(always)]
-    fn walk<C: Collector>(
-        &self,
-        plain: &[LeafTriangle],
-        ray: &PreparedRay,
-        rule: &Facing,
-        collector: &mut C,
-        stacks: &mut Stacks,
-    ) {
+    /// Takes an errand to nodes and triangles. `plain` are the triangles where they are stored in full.
+    pub fn walk(&self, plain: &[LeafTriangle], errand: impl Errand, stacks: &mut Stacks) {
         match (&self.nodes, &self.triangles) {
             (CodedNodes::Printed { root, nodes }, triangles) => {
                 let nodes = PrintedNodes {
@@ -195,17 +167,83 @@ impl Coded {
                 };
                 if let CodedTriangles::Leaf10(triangles) = triangles {
                     let triangles = PrintedTriangles { triangles, zero: 0 };
-                    let stack = &mut stacks.printed;
-                    traverse_with(stack, &nodes, &triangles, ray, rule, collector);
+                    errand.run(&mut stacks.printed, &nodes, &triangles);
                 } else {
-                    let (triangles, stack) = (LeafTriangles(plain), &mut stacks.printed);
-                    traverse_with(stack, &nodes, &triangles, ray, rule, collector);
+                    errand.run(&mut stacks.printed, &nodes, &LeafTriangles(plain));
                 }
             }
             (CodedNodes::Lattice { bits, .. }, _) => {
-                by_bits!(*bits, lattice(self, plain, ray, rule, collector, stacks));
+                by_bits!(*bits, lattice(self, plain, errand, stacks));
             }
         }
+    }
+}
+
+/// What is to be done where nodes and triangles are, whatever they are.
+pub trait Errand {
+    /// Does it.
+    fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
+        self,
+        stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+        nodes: &N,
+        triangles: &T,
+    );
+}
+
+/// The closest hit of one ray, or any, as its collector wants.
+pub struct Alone<'a, 'b>(pub &'a mut Lane<ButOne<'b>, ClosestOrAny>);
+
+impl Errand for Alone<'_, '_> {
+    #[inline(always)]
+    fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
+        self,
+        stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+        nodes: &N,
+        triangles: &T,
+    ) {
+        trace_alone(&mut stacks.alone, nodes, triangles, self.0);
+    }
+}
+
+/// The same of several rays.
+pub struct Together<'a, 'b>(pub &'a mut AskedPacket<'b>);
+
+impl Errand for Together<'_, '_> {
+    #[inline(always)]
+    fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
+        self,
+        stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+        nodes: &N,
+        triangles: &T,
+    ) {
+        trace_packet(stacks, nodes, triangles, self.0);
+    }
+}
+
+/// Whatever else may be asked, at the price of a call for each node.
+pub struct Watched<'a, 'b> {
+    pub ray: &'a PreparedRay,
+    pub rule: Facing<'b>,
+    pub collector: &'a mut dyn Collector,
+}
+
+impl Errand for Watched<'_, '_> {
+    #[inline(always)]
+    fn run<N: NodeSource, T: TriangleSource<N::Frame>>(
+        self,
+        stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+        nodes: &N,
+        triangles: &T,
+    ) {
+        let collector = &mut Shared(self.collector);
+        traverse_with(
+            &mut stacks.alone,
+            nodes,
+            triangles,
+            self.ray,
+            &self.rule,
+            collector,
+        );
     }
 }
 
@@ -214,12 +252,10 @@ impl Coded {
 fn lattice<const BITS: u32, const WORDS: usize>(
     coded: &Coded,
     plain: &[LeafTriangle],
-    ray: &PreparedRay,
-    rule: &Facing,
-    collector: &mut impl Collector,
+    errand: impl Errand,
     stacks: &mut Stacks,
 ) {
-    let stack = &mut stacks.lattice;
+    let stacks = &mut stacks.lattice;
     let CodedNodes::Lattice {
         root,
         step_exponent,
@@ -234,28 +270,26 @@ fn lattice<const BITS: u32, const WORDS: usize>(
     if let CodedTriangles::Lattice(words) = &coded.triangles {
         let nodes = LatticeNodes::<BITS, WORDS, true> { nodes, root, step };
         let triangles = LatticeTriangles { words, step };
-        traverse_with(stack, &nodes, &triangles, ray, rule, collector);
+        errand.run(stacks, &nodes, &triangles);
     } else {
         let nodes = LatticeNodes::<BITS, WORDS, false> { nodes, root, step };
-        let triangles = LeafTriangles(plain);
-        traverse_with(stack, &nodes, &triangles, ray, rule, collector);
+        errand.run(stacks, &nodes, &LeafTriangles(plain));
     }
 }
 
 /// Stacks for each kind of nodes.
-#[derive(Debug)]
 pub struct Stacks {
-    pub plain: Stack<NodeRef>,
-    printed: Stack<PrintedCursor>,
-    lattice: Stack<LatticeCursor>,
+    pub plain: PacketStacks<NodeRef, GROUPS>,
+    printed: PacketStacks<PrintedCursor, GROUPS>,
+    lattice: PacketStacks<LatticeCursor, GROUPS>,
 }
 
 impl Stacks {
     /// Nothing waits.
     pub const NEW: Self = Self {
-        plain: Stack::EMPTY,
-        printed: Stack::EMPTY,
-        lattice: Stack::EMPTY,
+        plain: PacketStacks::EMPTY,
+        printed: PacketStacks::EMPTY,
+        lattice: PacketStacks::EMPTY,
     };
 }
 

@@ -1,11 +1,12 @@
 //! slimbvh.
 
-use super::{Answer, Bytes, Demand, Question, Tracer, Visits, answer_all};
+use super::{Answer, Bytes, Demand, Question, Tracer, Visits};
+use crate::rays::BLOCK;
 use anyhow::Result;
 use rayon::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, Mesh, Stages};
 use slimbvh_core::classify::Except;
-use slimbvh_core::ray::{PreparedRay, Ray};
+use slimbvh_core::ray::{Hit, PreparedRay, Ray};
 use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, traverse};
 use std::ops::Add;
 
@@ -68,21 +69,28 @@ impl Tracer for Slim<'_> {
     }
 
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]) {
-        answer_all(rays, answers, |ray| {
-            let hit = self.bvh.closest_hit(ray);
-            if hit.is_hit() {
-                Answer {
-                    t: hit.t,
-                    primitive: hit.primitive,
+        let blocks = answers.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
+        blocks.for_each_init(
+            || [Hit::MISS; BLOCK],
+            |hits, (answers, rays)| {
+                self.bvh.closest_hits_of_block(rays, hits);
+                for (answer, hit) in answers.iter_mut().zip(hits) {
+                    *answer = if hit.is_hit() {
+                        Answer {
+                            t: hit.t,
+                            primitive: hit.primitive,
+                        }
+                    } else {
+                        Answer::MISS
+                    };
                 }
-            } else {
-                Answer::MISS
-            }
-        });
+            },
+        );
     }
 
     fn any_hits(&self, rays: &[Ray], answers: &mut [bool]) {
-        answer_all(rays, answers, |ray| self.bvh.any_hit(ray));
+        let blocks = answers.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
+        blocks.for_each(|(answers, rays)| self.bvh.any_hits_of_block(rays, answers));
     }
 
     fn bytes(&self) -> Bytes {

@@ -117,23 +117,33 @@ impl BoxColumns {
     }
 }
 
-/// Nodes that wait, and where the ray enters each. Memory of a caller who asks more than once: it need not be cleared in between.
-#[derive(Clone, Copy, Debug)]
-pub struct Stack<C: Cursor> {
-    cursors: C::Columns,
-    enter: Column<f32>,
+/// Where the rays of a traversal enter a node: one number, or one a ray.
+pub trait Enter: Copy {
+    /// All bits zero.
+    const ZERO: Self;
 }
 
-impl<C: Cursor> Stack<C> {
+impl Enter for f32 {
+    const ZERO: Self = 0.0;
+}
+
+/// Nodes that wait, and where the rays enter each. Memory of a caller who asks more than once: it need not be cleared in between.
+#[derive(Clone, Copy, Debug)]
+pub struct Stack<C: Cursor, E: Enter = f32> {
+    cursors: C::Columns,
+    enter: Column<E>,
+}
+
+impl<C: Cursor, E: Enter> Stack<C, E> {
     /// Nothing waits.
     pub const EMPTY: Self = Self {
         cursors: C::EMPTY,
-        enter: [0.0; STACK_SIZE],
+        enter: [E::ZERO; STACK_SIZE],
     };
 
     /// Lets a node wait.
     #[inline(always)]
-    pub(super) fn put(&mut self, place: usize, cursor: C, enter: f32) {
+    pub(super) fn put(&mut self, place: usize, cursor: C, enter: E) {
         cursor.put(&mut self.cursors, place);
         self.enter[place % STACK_SIZE] = enter;
     }
@@ -144,9 +154,9 @@ impl<C: Cursor> Stack<C> {
         C::at(&self.cursors, place)
     }
 
-    /// Where the ray enters it.
+    /// Where the rays enter it.
     #[inline(always)]
-    pub(super) fn enter(&self, place: usize) -> f32 {
+    pub(super) fn enter(&self, place: usize) -> E {
         self.enter[place % STACK_SIZE]
     }
 }

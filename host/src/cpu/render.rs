@@ -2,6 +2,7 @@
 
 use super::paint::{paint_depth, paint_heat, resolve};
 use super::trees::{NoTurns, Tree, Trees, Turns};
+use crate::packets::Question;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::ViewError;
 use crate::{Bvh, Scene};
@@ -211,13 +212,10 @@ impl Renderer {
             .par_chunks_mut(BLOCK)
             .zip(self.paths.par_chunks(BLOCK));
         blocks.for_each(|(hits, paths)| {
-            for (hit, path) in hits.iter_mut().zip(paths) {
-                *hit = if path.is_alive() {
-                    tree.closest_hit(&path.ray, path.skip)
-                } else {
-                    Hit::MISS
-                };
-            }
+            hits.fill(Hit::MISS);
+            let alive = paths.iter().enumerate().filter(|(_, path)| path.is_alive());
+            let rays = alive.map(|(i, path)| (i, path.ray, path.skip));
+            tree.ask(Question::Closest, rays, |i, hit| hits[i] = hit);
         });
     }
 
@@ -282,20 +280,24 @@ impl Renderer {
             .par_chunks_mut(BLOCK)
             .zip(self.hits.par_chunks(BLOCK));
         blocks.for_each(|(paths, hits)| {
-            let mut rays = 0;
-            for (path, hit) in paths.iter_mut().zip(hits) {
-                if !path.is_alive() || !hit.is_hit() {
-                    continue;
-                }
-                let shadow = stage.shadow(path, hit, (light, bounce));
-                if shadow.is_possible() {
-                    rays += 1;
-                    if !tree.any_hit(&shadow.ray, shadow.skip) {
-                        *path = path.with_light(glam::Vec3::from_array(shadow.radiance));
+            let mut shadows = Vec::with_capacity(BLOCK);
+            for (i, (path, hit)) in paths.iter().zip(hits).enumerate() {
+                if path.is_alive() && hit.is_hit() {
+                    let shadow = stage.shadow(path, hit, (light, bounce));
+                    if shadow.is_possible() {
+                        shadows.push((i, shadow));
                     }
                 }
             }
-            ray_count.fetch_add(rays, Relaxed);
+            let numbered = shadows.iter().enumerate();
+            let rays = numbered.map(|(number, (_, shadow))| (number, shadow.ray, shadow.skip));
+            tree.ask(Question::Any, rays, |number, hit| {
+                if !hit.is_hit() {
+                    let (i, shadow) = &shadows[number];
+                    paths[*i] = paths[*i].with_light(glam::Vec3::from_array(shadow.radiance));
+                }
+            });
+            ray_count.fetch_add(shadows.len() as u64, Relaxed);
         });
         ray_count.into_inner()
     }

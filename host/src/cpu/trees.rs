@@ -1,6 +1,7 @@
 //! Which hierarchy rays of each kind are traced through.
 
 use crate::Bvh;
+use crate::packets::{Block, Question};
 use slimbvh_core::classify::Sides;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
@@ -66,14 +67,20 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// The closest hit of a ray in the scene's magnitude.
-    pub(super) fn closest_hit(&self, ray: &Ray, skip: u32) -> Hit {
-        self.bvh.closest_hit_by(ray, 0, skip, self.rule)
-    }
-
-    /// Whether a ray in the scene's magnitude meets anything.
-    pub(super) fn any_hit(&self, ray: &Ray, skip: u32) -> bool {
-        self.bvh.any_hit_by(ray, 0, skip, self.rule)
+    /// Asks for rays in the scene's magnitude, each with a number and a primitive that does not count, and tells each answer
+    /// with its ray's number.
+    pub(super) fn ask(
+        &self,
+        question: Question,
+        rays: impl Iterator<Item = (usize, Ray, u32)>,
+        answer: impl FnMut(usize, Hit),
+    ) {
+        let block = Block {
+            question,
+            exponent: 0,
+            target: self.rule,
+        };
+        self.bvh.ask(&block, rays, answer);
     }
 }
 

@@ -17,16 +17,18 @@ use slimbvh_core::decide::{
     lane_counts, lane_joined, lane_measure, lane_total,
 };
 use slimbvh_core::encode::{
-    EncodedNode, EncodedPrinted, FINEST_STEP, LatticeCodec, LatticeNodes, LatticeTriangles,
-    LeafCorner, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode, PrintedNodes,
-    PrintedTriangle, PrintedTriangles, RootWords, RoundedNode, decode_node, decode_printed_node,
-    encode_printed_triangle, encode_triangle, links_of, node_bounds, scaled_step, with_links,
+    EncodedNode, EncodedPrinted, FINEST_STEP, LatticeCodec, LatticeCursor, LatticeNodes,
+    LatticeTriangles, LeafCorner, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
+    PrintedNodes, PrintedTriangle, PrintedTriangles, RootWords, RoundedNode, decode_node,
+    decode_printed_node, encode_printed_triangle, encode_triangle, links_of, node_bounds,
+    scaled_step, with_links,
 };
 use slimbvh_core::float::{PowerOfTwo, power_of_two};
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
+use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
@@ -40,9 +42,12 @@ use slimbvh_core::sort::{
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, LeafTriangles, PlainNodes, any_hit, closest_hit, nearest_hits,
+    BruteForce, ClosestHit, Lane, LeafTriangles, Packet, PacketStacks, PlainNodes, any_hit,
+    closest_hit, nearest_hits, trace_packet,
 };
-use slimbvh_core::{Aabb, Hit, IndexedTriangles, LeafTriangle, Node, Ray, Triangle, Vec3, view};
+use slimbvh_core::{
+    Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
+};
 
 unsafe extern "C" {
     /// Defined nowhere.
@@ -290,6 +295,39 @@ pub fn trace_printed(
         closest_hit(&nodes, &triangles, ray, root.step_exponent(), &Except(4)),
         any_hit(&nodes, &triangles, ray, 3, &Except(4)),
     );
+}
+
+#[unsafe(no_mangle)]
+pub fn trace_together(
+    rays: &[Ray; 8],
+    (nodes, narrow): (&[Node], &[[u32; 4]]),
+    triangles: &[LeafTriangle],
+    root: &RootWords,
+    stacks: (
+        &mut PacketStacks<NodeRef, 2>,
+        &mut PacketStacks<LatticeCursor, 2>,
+    ),
+    to: Out<[Packet<Except, ClosestHit, 2>; 2]>,
+) {
+    let triangles = LeafTriangles(triangles);
+    let coded = LatticeNodes::<10, 4, false> {
+        nodes: narrow,
+        root: root.lattice(),
+        step: 0.5,
+    };
+    for packet in to.iter_mut() {
+        for (lane, ray) in packet.as_flattened_mut().iter_mut().zip(rays) {
+            let ray = PreparedRay::new(ray, 3);
+            *lane = Lane {
+                ray,
+                rule: Except(4),
+                collector: ClosestHit::new(ray.t_max),
+            };
+        }
+    }
+    let [plain, other] = to;
+    trace_packet(stacks.0, &PlainNodes(nodes), &triangles, plain);
+    trace_packet(stacks.1, &coded, &triangles, other);
 }
 
 #[unsafe(no_mangle)]

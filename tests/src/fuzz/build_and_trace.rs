@@ -1,12 +1,14 @@
-//! Any mesh that the door lets in, any ray at all, any codec and kind of tree: the tree answers like brute force, bit for bit.
+//! Any mesh that the door lets in, any ray at all, any codec and kind of tree: the tree answers like brute force, bit for bit, rays together as each alone.
 
 use super::input::{any, drawn};
 use crate::oracle::brute::{Answers, Parts};
+use crate::parity::same_bits;
 use crate::rays::{Aim, Face, Range, RayRecipe, Start, some_rays};
 use crate::strategies::any_mesh;
 use arbitrary::Arbitrary;
 use slimbvh::{
-    BuildConfig, Builder, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray, TreeKind,
+    BuildConfig, Builder, Bvh, CodeBits, Hit, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray,
+    TreeKind,
 };
 
 /// A mesh and rays as they come, broken ones too.
@@ -68,6 +70,10 @@ pub fn build_and_trace(data: &[u8]) {
         let (tree, all) = (ask(&coded, ray), Parts::from(&expected).ask_all(ray));
         assert!(tree.same_bits(&all), "{ray:?} {tree:#?} {all:#?}");
     }
+    let mut hits = vec![Hit::MISS; rays.len()];
+    coded.closest_hits_of_block(&rays, &mut hits);
+    let alone = rays.iter().map(|ray| coded.closest_hit(ray));
+    assert_eq!(same_bits(&hits, &alone.collect::<Vec<_>>()), Ok(()));
     assert_eq!(coded.validate_over(&mesh), Ok(()));
 }
 

@@ -7,7 +7,8 @@
 
 use slimbvh::generate::{TorusKnot, terrain, torus_knot};
 use slimbvh::{
-    BuildConfig, Builder, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray, TreeKind,
+    BuildConfig, Builder, Bvh, CodeBits, Hit, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray,
+    TreeKind,
 };
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -20,7 +21,7 @@ struct Job {
     run: fn(usize),
 }
 
-const JOBS: [Job; 7] = [
+const JOBS: [Job; 9] = [
     Job {
         name: "build, 30-bit codes",
         run: |rounds| build(rounds, CodeBits::Bits30.into()),
@@ -39,15 +40,23 @@ const JOBS: [Job; 7] = [
     },
     Job {
         name: "closest hits",
-        run: |rounds| trace(rounds, BuildConfig::default(), is_near),
+        run: |rounds| trace(rounds, BuildConfig::default(), closest),
     },
     Job {
         name: "any hits",
-        run: |rounds| trace(rounds, BuildConfig::default(), Bvh::any_hit),
+        run: |rounds| trace(rounds, BuildConfig::default(), any),
     },
     Job {
         name: "closest hits, q10, triangles on the lattice",
-        run: |rounds| trace(rounds, on_lattice(), is_near),
+        run: |rounds| trace(rounds, on_lattice(), closest),
+    },
+    Job {
+        name: "closest hits together",
+        run: |rounds| trace(rounds, BuildConfig::default(), closest_together),
+    },
+    Job {
+        name: "closest hits together, q10, triangles on the lattice",
+        run: |rounds| trace(rounds, on_lattice(), closest_together),
     },
 ];
 
@@ -60,8 +69,19 @@ const SLACK_OF_ANOTHER_COMPILER: f64 = 0.25;
 /// The environment variable that tells [`the_process_that_is_counted`] which job, and how many rounds.
 const COUNTED: &str = "SLIMBVH_COUNTED_JOB";
 
-fn is_near(bvh: &Bvh, ray: &Ray) -> bool {
-    bvh.closest_hit(ray).is_hit()
+fn closest(bvh: &Bvh, rays: &[Ray]) -> usize {
+    let hits = rays.iter().map(|ray| bvh.closest_hit(ray));
+    hits.filter(Hit::is_hit).count()
+}
+
+fn any(bvh: &Bvh, rays: &[Ray]) -> usize {
+    rays.iter().filter(|ray| bvh.any_hit(ray)).count()
+}
+
+fn closest_together(bvh: &Bvh, rays: &[Ray]) -> usize {
+    let mut hits = [Hit::MISS; 10_000];
+    bvh.closest_hits_of_block(rays, &mut hits);
+    hits.iter().filter(|hit| hit.is_hit()).count()
 }
 
 fn clustered() -> BuildConfig {
@@ -106,22 +126,21 @@ fn build(rounds: usize, config: BuildConfig) {
     }
 }
 
-fn trace(rounds: usize, config: BuildConfig, is_hit: impl Fn(&Bvh, &Ray) -> bool) {
+/// Counts hits of the same rays, side by side, in each round.
+fn trace(rounds: usize, config: BuildConfig, count_hits: impl Fn(&Bvh, &[Ray]) -> usize) {
     let mesh = snapped(terrain(8.0, 64, 7));
     let bvh = Builder::new(config)
         .build(&mesh)
         .expect("the mesh is sound");
-    let mut hit_count = 0;
-    for _ in 0..rounds {
-        for i in 0..10_000u16 {
-            let (x, z) = (
-                f32::from(i % 100) * 0.06 - 3.0,
-                f32::from(i / 100) * 0.06 - 3.0,
-            );
-            let ray = Ray::new([0.5, 6.0, 11.0], [x - 0.5, -6.0, z - 11.0]);
-            hit_count += usize::from(is_hit(&bvh, &ray));
-        }
-    }
+    let ray = |i: u16| {
+        let (x, z) = (
+            f32::from(i % 100) * 0.06 - 3.0,
+            f32::from(i / 100) * 0.06 - 3.0,
+        );
+        Ray::new([0.5, 6.0, 11.0], [x - 0.5, -6.0, z - 11.0])
+    };
+    let rays: Vec<Ray> = (0..10_000).map(ray).collect();
+    let hit_count: usize = (0..rounds).map(|_| count_hits(&bvh, &rays)).sum();
     assert!(rounds == 0 || hit_count > 5_000 * rounds, "{hit_count}");
 }
 

@@ -14,6 +14,7 @@ mod instructions;
 mod meshes;
 mod negative_controls;
 mod odd_rays;
+mod packets;
 mod reduced;
 mod reduced_plans;
 mod reduced_scenes;

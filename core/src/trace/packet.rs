@@ -1,0 +1,353 @@
+//! Several rays that walk a tree together, on a CPU: what is read of it, and what is decided about it, is shared.
+//!
+//! Each ray's answer is the one that it would find alone, bit for bit: boxes and triangles are tested by the same arithmetic
+//! ([`crate::lanes`]), and no answer depends on which other nodes are opened.
+
+use super::query::{Opened, Query, Single};
+use super::stack::Enter;
+use super::{Collector, Cursor, NodeSource, Place, Rule, Stack, TriangleSource, walk};
+use crate::lanes::{Lanes, Wide};
+use crate::ray::PreparedRay;
+use crate::slab::{BoxSpan, PlanePair, crossings};
+use crate::watertight::{intersect, passes_inside};
+use glam::Vec4;
+
+/// With no more rays than this below a node, each goes on alone.
+const FEW: u32 = 1;
+
+/// Rays whose origins, or directions, are farther apart than this are traced alone: in the scene's size, or in the direction's.
+const APART: f32 = 1.0 / 16.0;
+
+/// A ray of a packet.
+#[derive(Clone, Copy, Debug)]
+pub struct Lane<R, C> {
+    /// In the scene's magnitude.
+    pub ray: PreparedRay,
+    /// Which triangles count.
+    pub rule: R,
+    /// What is asked.
+    pub collector: C,
+}
+
+impl<R, C: Collector> Lane<R, C> {
+    /// The limit, below everything where nothing is left to ask.
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        if self.collector.is_done() {
+            f32::NEG_INFINITY
+        } else {
+            self.collector.limit()
+        }
+    }
+}
+
+/// Four rays a group.
+pub type Packet<R, C, const GROUPS: usize> = [[Lane<R, C>; 4]; GROUPS];
+
+/// Memory for a packet, and for rays that leave it. It need not be cleared in between.
+#[derive(Clone, Copy)]
+pub struct PacketStacks<C: Cursor, const GROUPS: usize> {
+    together: Stack<C, Entries<GROUPS>>,
+    /// For one ray.
+    pub alone: Stack<C>,
+}
+
+impl<C: Cursor, const GROUPS: usize> PacketStacks<C, GROUPS> {
+    /// Nothing waits.
+    pub const EMPTY: Self = Self {
+        together: Stack::EMPTY,
+        alone: Stack::EMPTY,
+    };
+}
+
+/// [`traverse_with`] of all rays of a packet: together, as far as the order of their axes is the same and while they pass the same nodes.
+#[inline(always)]
+pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
+    stacks: &mut PacketStacks<N::Cursor, GROUPS>,
+    nodes: &N,
+    triangles: &T,
+    packet: &mut Packet<R, C, GROUPS>,
+) where
+    N: NodeSource,
+    T: TriangleSource<N::Frame>,
+    R: Rule,
+    C: Collector,
+{
+    let mut first = None;
+    for lane in packet.as_flattened() {
+        if first.is_none() && lane.ray.t_min <= lane.ray.t_max {
+            first = Some(lane.ray);
+        }
+    }
+    let Some(first) = first else {
+        return;
+    };
+    let of = |number: fn(&PreparedRay) -> f32| -> Wide<GROUPS> {
+        Wide::from_lanes(|group, i| number(&packet[group][i].ray))
+    };
+    let origin = [
+        of(|ray| ray.origin[0]),
+        of(|ray| ray.origin[1]),
+        of(|ray| ray.origin[2]),
+    ];
+    let direction = [
+        of(|ray| ray.direction[0]),
+        of(|ray| ray.direction[1]),
+        of(|ray| ray.direction[2]),
+    ];
+    let inverse = [
+        of(|ray| ray.inverse[0]),
+        of(|ray| ray.inverse[1]),
+        of(|ray| ray.inverse[2]),
+    ];
+    let span = |low, high| BoxSpan {
+        low: of(low),
+        high: of(high),
+    };
+    let plane_origins = [
+        span(|ray| ray.plane_origins[0].x, |ray| ray.plane_origins[0].z),
+        span(|ray| ray.plane_origins[1].x, |ray| ray.plane_origins[1].z),
+        span(|ray| ray.plane_origins[2].x, |ray| ray.plane_origins[2].z),
+    ];
+    let t_min = of(|ray| ray.t_min);
+    let mut who = near(&first.origin, &origin) & near(&first.direction, &direction);
+    for (i, lane) in packet.as_flattened().iter().enumerate() {
+        if lane.ray.axes != first.axes || lane.ray.t_min > lane.ray.t_max {
+            who &= !(1 << i);
+        }
+    }
+    if who.count_ones() <= FEW {
+        who = 0;
+    }
+    for (i, lane) in packet.as_flattened_mut().iter_mut().enumerate() {
+        if who >> i & 1 == 0 {
+            trace_alone(&mut stacks.alone, nodes, triangles, lane);
+        }
+    }
+    if who == 0 {
+        return;
+    }
+    let limit = Wide::from_lanes(|group, i| packet[group][i].limit());
+    let mut query = Together {
+        packet,
+        alone: &mut stacks.alone,
+        axes: first.axes,
+        origin,
+        direction,
+        plane_origins,
+        inverse,
+        t_min,
+        limit,
+        members: who,
+        who,
+    };
+    walk(
+        &mut stacks.together,
+        nodes,
+        triangles,
+        nodes.root(first.axes),
+        &mut query,
+    );
+}
+
+/// Which lanes are so near to a vector, on all axes, that they are expected to pass the same nodes.
+#[inline(always)]
+fn near<const GROUPS: usize>(vector: &[f32; 3], lanes: &[Wide<GROUPS>; 3]) -> u32 {
+    let mut who = u32::MAX;
+    for axis in 0..3 {
+        let off = lanes[axis] - Wide::splat(vector[axis]);
+        who &= off.max(-off).at_most(Wide::splat(APART));
+    }
+    who
+}
+
+/// [`super::traverse_with`] of one ray, never part of its caller.
+#[inline(always)]
+pub fn trace_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
+    stack: &mut Stack<N::Cursor>,
+    nodes: &N,
+    triangles: &T,
+    lane: &mut Lane<R, C>,
+) {
+    go_alone(stack, nodes, triangles, nodes.root(lane.ray.axes), lane);
+}
+
+/// Walks the tree below a node with one ray.
+#[inline(never)]
+fn go_alone<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
+    stack: &mut Stack<N::Cursor>,
+    nodes: &N,
+    triangles: &T,
+    root: N::Cursor,
+    lane: &mut Lane<R, C>,
+) {
+    let mut query = Single {
+        ray: &lane.ray,
+        rule: &lane.rule,
+        collector: &mut lane.collector,
+    };
+    walk(stack, nodes, triangles, root, &mut query);
+}
+
+/// Tests a triangle with one ray.
+#[inline(never)]
+fn test_alone<R: Rule, C: Collector>(
+    lane: &mut Lane<R, C>,
+    corners: &[[f32; 3]; 3],
+    primitive: u32,
+) {
+    let hit = intersect(&lane.ray, *corners, lane.limit(), primitive);
+    if hit.is_hit() && lane.rule.counts(primitive, corners, lane.ray.axes) {
+        lane.collector.offer(hit);
+    }
+}
+
+/// Where rays of a packet enter a node, and which of them do.
+#[derive(Clone, Copy, Debug)]
+pub struct Entries<const GROUPS: usize> {
+    enter: Wide<GROUPS>,
+    /// A bit a ray.
+    who: u32,
+}
+
+impl<const GROUPS: usize> Enter for Entries<GROUPS> {
+    const ZERO: Self = Self {
+        enter: Wide::ZERO,
+        who: 0,
+    };
+}
+
+/// Rays whose axes have the same order.
+struct Together<'a, R, C, U: Cursor, const GROUPS: usize> {
+    packet: &'a mut Packet<R, C, GROUPS>,
+    alone: &'a mut Stack<U>,
+    axes: [u32; 3],
+    origin: [Wide<GROUPS>; 3],
+    direction: [Wide<GROUPS>; 3],
+    plane_origins: [BoxSpan<GROUPS>; 3],
+    inverse: [Wide<GROUPS>; 3],
+    t_min: Wide<GROUPS>,
+    /// Below everything for rays that want nothing more.
+    limit: Wide<GROUPS>,
+    /// A bit for each ray that walks along.
+    members: u32,
+    /// Those that meet the node that is walked to.
+    who: u32,
+}
+
+impl<R, C: Collector, U: Cursor, const GROUPS: usize> Together<'_, R, C, U, GROUPS> {
+    #[inline(always)]
+    fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<GROUPS> {
+        let span = |low, high| BoxSpan {
+            low: Wide::splat(low),
+            high: Wide::splat(high),
+        };
+        let planes = [
+            span(low[0], high[0]),
+            span(low[1], high[1]),
+            span(low[2], high[2]),
+        ];
+        let crossing = crossings(planes, self.plane_origins, self.inverse);
+        let enter = crossing.enter.low.max(self.t_min);
+        let who = self.members & enter.at_most(crossing.padded_exit.low.min(self.limit));
+        Entries { enter, who }
+    }
+
+    /// Calls for each of these rays.
+    #[inline(always)]
+    fn for_each(&mut self, who: u32, mut call: impl FnMut(&mut Lane<R, C>, &mut Stack<U>)) {
+        let mut left = who;
+        for (group, limit) in self.packet.iter_mut().zip(&mut self.limit.0) {
+            if left & 15 != 0 {
+                for (i, lane) in group.iter_mut().enumerate() {
+                    if left >> i & 1 != 0 {
+                        call(lane, self.alone);
+                    }
+                }
+                let [a, b, c, d] = group;
+                *limit = Vec4::new(a.limit(), b.limit(), c.limit(), d.limit());
+            }
+            left >>= 4;
+        }
+    }
+}
+
+impl<N, T, R, C, const GROUPS: usize> Query<N, T> for Together<'_, R, C, N::Cursor, GROUPS>
+where
+    N: NodeSource,
+    T: TriangleSource<N::Frame>,
+    R: Rule,
+    C: Collector,
+{
+    type Enter = Entries<GROUPS>;
+
+    #[inline(always)]
+    fn axes(&self) -> [u32; 3] {
+        self.axes
+    }
+
+    #[inline(always)]
+    fn begin(&self) -> Entries<GROUPS> {
+        Entries {
+            enter: self.t_min,
+            who: self.members,
+        }
+    }
+
+    #[inline(always)]
+    fn is_due(&mut self, entries: Entries<GROUPS>) -> bool {
+        self.who = entries.who & entries.enter.at_most(self.limit);
+        self.who != 0
+    }
+
+    #[inline(always)]
+    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<Entries<GROUPS>> {
+        let [p, q, r] = planes;
+        let left = self.meet([p.x, q.x, r.x], [p.z, q.z, r.z]);
+        let right = self.meet([p.y, q.y, r.y], [p.w, q.w, r.w]);
+        // The first ray that meets both decides.
+        let both = left.who & right.who;
+        let first = both & both.wrapping_neg();
+        Opened {
+            meets_left: left.who != 0,
+            meets_right: right.who != 0,
+            left_first: left.enter.at_most(right.enter) & first == first,
+            enter_left: left,
+            enter_right: right,
+        }
+    }
+
+    #[inline(always)]
+    fn follow(&mut self, entries: Entries<GROUPS>) {
+        self.who = entries.who;
+    }
+
+    #[inline(always)]
+    fn test(&mut self, triangles: &T, place: &Place<N::Frame>) {
+        let corners = triangles.corners(place, self.axes);
+        let spread = |[x, y, z]: [f32; 3]| [Wide::splat(x), Wide::splat(y), Wide::splat(z)];
+        let spread = [spread(corners[0]), spread(corners[1]), spread(corners[2])];
+        let who = self.who & passes_inside(self.origin, self.direction, spread);
+        if who != 0 {
+            let primitive = triangles.primitive(place);
+            self.for_each(who, |lane, _| test_alone(lane, &corners, primitive));
+        }
+    }
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        self.members & self.t_min.at_most(self.limit) == 0
+    }
+
+    #[inline(always)]
+    fn divide(&mut self, nodes: &N, triangles: &T, cursor: N::Cursor) -> bool {
+        let is_few = self.who.count_ones() <= FEW;
+        if is_few {
+            let who = self.who;
+            self.for_each(who, |lane, stack| {
+                go_alone(stack, nodes, triangles, cursor, lane);
+            });
+        }
+        is_few
+    }
+}

@@ -1,0 +1,129 @@
+//! Who walks a tree: one ray, or several together.
+
+use super::{Collector, NodeSource, Place, Rule, TriangleSource};
+use crate::ray::PreparedRay;
+use crate::slab::{PlanePair, slab};
+use crate::trace::stack::Enter;
+use crate::watertight::intersect;
+
+/// What rays that walk a tree decide on their way.
+pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Frame>> {
+    /// Where they enter a node.
+    type Enter: Enter;
+
+    /// The order of their axes.
+    fn axes(&self) -> [u32; 3];
+
+    /// Where they enter the root.
+    fn begin(&self) -> Self::Enter;
+
+    /// Whether any of them enters a node no later than its limit.
+    fn is_due(&mut self, enter: Self::Enter) -> bool;
+
+    /// Tests both boxes of an inner node.
+    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<Self::Enter>;
+
+    /// Goes to a child that is met.
+    #[inline(always)]
+    fn follow(&mut self, _: Self::Enter) {}
+
+    /// Tests a triangle.
+    fn test(&mut self, triangles: &T, place: &Place<N::Frame>);
+
+    /// Whether all answers are final.
+    fn is_done(&self) -> bool;
+
+    /// Walks the tree below the inner node that was due in another way, if that is better. Returns whether it did.
+    #[inline(always)]
+    fn divide(&mut self, _: &N, _: &T, _: N::Cursor) -> bool {
+        false
+    }
+}
+
+/// An inner node's boxes, tested.
+pub(super) struct Opened<E> {
+    pub enter_left: E,
+    pub enter_right: E,
+    pub meets_left: bool,
+    pub meets_right: bool,
+    /// Which to walk first, if both are met.
+    pub left_first: bool,
+}
+
+impl<E: Enter> Opened<E> {
+    #[inline(always)]
+    pub fn enter_of(&self, is_left: bool) -> E {
+        if is_left {
+            self.enter_left
+        } else {
+            self.enter_right
+        }
+    }
+
+    #[inline(always)]
+    pub fn near_enter(&self) -> E {
+        self.enter_of(self.left_first)
+    }
+
+    #[inline(always)]
+    pub fn far_enter(&self) -> E {
+        self.enter_of(!self.left_first)
+    }
+}
+
+/// One ray.
+pub(super) struct Single<'a, R, C> {
+    pub ray: &'a PreparedRay,
+    pub rule: &'a R,
+    pub collector: &'a mut C,
+}
+
+impl<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector> Query<N, T>
+    for Single<'_, R, C>
+{
+    type Enter = f32;
+
+    #[inline(always)]
+    fn axes(&self) -> [u32; 3] {
+        self.ray.axes
+    }
+
+    #[inline(always)]
+    fn begin(&self) -> f32 {
+        self.ray.t_min
+    }
+
+    #[inline(always)]
+    fn is_due(&mut self, enter: f32) -> bool {
+        enter <= self.collector.limit()
+    }
+
+    #[inline(always)]
+    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<f32> {
+        self.collector.count_node();
+        let boxes = slab(self.ray, planes, self.collector.limit());
+        Opened {
+            enter_left: boxes.enter_a,
+            enter_right: boxes.enter_b,
+            meets_left: boxes.meets_a,
+            meets_right: boxes.meets_b,
+            left_first: boxes.enter_a <= boxes.enter_b,
+        }
+    }
+
+    #[inline(always)]
+    fn test(&mut self, triangles: &T, place: &Place<N::Frame>) {
+        self.collector.count_triangle();
+        let primitive = triangles.primitive(place);
+        let corners = triangles.corners(place, self.ray.axes);
+        let hit = intersect(self.ray, corners, self.collector.limit(), primitive);
+        if hit.is_hit() && self.rule.counts(primitive, &corners, self.ray.axes) {
+            self.collector.offer(hit);
+        }
+    }
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        self.collector.is_done()
+    }
+}

@@ -1,0 +1,153 @@
+//! Questions of many rays, of which some walk together ([`slimbvh_core::trace::trace_packet`]).
+
+use crate::Bvh;
+use crate::bvh::facing;
+use crate::coded::{Together, with_stacks};
+use rayon::prelude::*;
+use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::orientation::Target;
+use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
+use slimbvh_core::trace::{ClosestOrAny, Lane, Packet, Rule, trace_packet};
+
+/// Groups of four rays in a packet. Measured against 4: ARCHITECTURE.md.
+pub const GROUPS: usize = 2;
+
+/// Which triangles count for a ray: those that count for all, but one.
+#[derive(Clone, Copy, Debug)]
+pub struct ButOne<'a> {
+    all: &'a Facing<'a>,
+    one: Except,
+}
+
+impl<'a> ButOne<'a> {
+    pub fn new(all: &'a Facing<'a>, skip: u32) -> Self {
+        Self {
+            all,
+            one: Except(skip),
+        }
+    }
+}
+
+impl Rule for ButOne<'_> {
+    #[inline(always)]
+    fn counts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool {
+        self.one.counts(primitive, corners, axes) && self.all.counts(primitive, corners, axes)
+    }
+}
+
+/// Rays, and what they ask.
+pub type AskedPacket<'a> = Packet<ButOne<'a>, ClosestOrAny, GROUPS>;
+
+/// Rays that a task takes at once.
+const BLOCK: usize = 512;
+
+/// Which of its two questions each ray asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Question {
+    Closest,
+    Any,
+}
+
+/// What all rays of a block have in common.
+#[derive(Clone, Copy, Debug)]
+pub struct Block<'a> {
+    pub question: Question,
+    /// Of the scene that the rays are in.
+    pub exponent: i32,
+    /// Where there is one, what faces away from it does not count.
+    pub target: Option<(Sides<'a>, Target)>,
+}
+
+impl Bvh {
+    /// [`Bvh::closest_hit`] of many rays, in parallel. `hits` gets as many entries as there are rays.
+    ///
+    /// Rays that lie side by side should follow each other: on their way through the hierarchy they share what they read of it.
+    pub fn closest_hits(&self, rays: &[Ray], hits: &mut Vec<Hit>) {
+        hits.resize(rays.len(), Hit::MISS);
+        let blocks = hits.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
+        blocks.for_each(|(hits, rays)| self.closest_hits_of_block(rays, hits));
+    }
+
+    /// [`Bvh::any_hit`] of many rays, as [`Bvh::closest_hits`].
+    pub fn any_hits(&self, rays: &[Ray], found: &mut Vec<bool>) {
+        found.resize(rays.len(), false);
+        let blocks = found.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
+        blocks.for_each(|(found, rays)| self.any_hits_of_block(rays, found));
+    }
+
+    /// [`Bvh::closest_hits`] on this thread, for callers who share rays out by themselves. There must be a place for each answer.
+    pub fn closest_hits_of_block(&self, rays: &[Ray], hits: &mut [Hit]) {
+        let block = self.block(Question::Closest);
+        self.ask(&block, asked(rays), |i, hit| hits[i] = hit);
+    }
+
+    /// [`Bvh::any_hits`] on this thread, as [`Bvh::closest_hits_of_block`].
+    pub fn any_hits_of_block(&self, rays: &[Ray], found: &mut [bool]) {
+        let block = self.block(Question::Any);
+        self.ask(&block, asked(rays), |i, hit| found[i] = hit.is_hit());
+    }
+
+    fn block(&self, question: Question) -> Block<'static> {
+        Block {
+            question,
+            exponent: self.scene_exponent(),
+            target: None,
+        }
+    }
+
+    /// Asks for rays, each with a number and a primitive that does not count, and tells each answer with its ray's number.
+    pub(crate) fn ask(
+        &self,
+        block: &Block,
+        rays: impl Iterator<Item = (usize, Ray, u32)>,
+        mut answer: impl FnMut(usize, Hit),
+    ) {
+        let all = &facing(NO_PRIMITIVE, block.target);
+        let lane = |ray: &Ray, skip| {
+            let ray = PreparedRay::new(ray, block.exponent);
+            Lane {
+                ray,
+                rule: ButOne::new(all, skip),
+                collector: match block.question {
+                    Question::Closest => ClosestOrAny::closest(ray.t_max),
+                    Question::Any => ClosestOrAny::any(ray.t_max),
+                },
+            }
+        };
+        let nothing = lane(&Ray::NOTHING, NO_PRIMITIVE);
+        let mut packet = [[nothing; 4]; GROUPS];
+        let mut numbers = [0; 4 * GROUPS];
+        let mut rays = rays.peekable();
+        while rays.peek().is_some() {
+            let mut count = 0;
+            for (to, number) in packet.as_flattened_mut().iter_mut().zip(&mut numbers) {
+                if let Some((own, ray, skip)) = rays.next() {
+                    *to = lane(&ray, skip);
+                    *number = own;
+                    count += 1;
+                } else {
+                    *to = nothing;
+                }
+            }
+            self.trace(&mut packet);
+            for (lane, number) in packet.as_flattened().iter().zip(numbers).take(count) {
+                answer(number, lane.ray.restore(lane.collector.closest.hit));
+            }
+        }
+    }
+
+    fn trace(&self, packet: &mut AskedPacket) {
+        with_stacks(|stacks| match &self.coded {
+            Some(coded) => coded.walk(&self.triangles, Together(packet), stacks),
+            None => {
+                let (nodes, triangles) = (self.node_source(), self.triangle_source());
+                trace_packet(&mut stacks.plain, &nodes, &triangles, packet);
+            }
+        });
+    }
+}
+
+fn asked(rays: &[Ray]) -> impl Iterator<Item = (usize, Ray, u32)> {
+    let numbered = rays.iter().enumerate();
+    numbered.map(|(i, ray)| (i, *ray, NO_PRIMITIVE))
+}

@@ -1,0 +1,160 @@
+//! Rays that walk together answer as each does alone, bit for bit.
+
+use glam::Vec3;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use slimbvh::generate::{icosphere, terrain};
+use slimbvh::{BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, NodeCodec, TreeKind};
+use slimbvh_core::{Hit, Ray};
+use slimbvh_tests::parity::same_bits;
+use slimbvh_tests::random::Random;
+use slimbvh_tests::rays::{RayRecipe, any_ray};
+use slimbvh_tests::scenes::real_meshes;
+use slimbvh_tests::strategies::any_mesh;
+use slimbvh_tests::{build, build_as, cases};
+
+/// A ray and some beside it, which may be none.
+#[derive(Clone, Debug)]
+struct Bundle {
+    recipe: RayRecipe,
+    /// How far apart they are, in the scene's size and in the direction's length.
+    apart: [f32; 2],
+    /// Where each begins, and where it goes.
+    others: Vec<[[f32; 3]; 2]>,
+    /// Turned to one where two axes are about as long, or all three.
+    is_diagonal: bool,
+}
+
+impl Bundle {
+    fn cook(&self, mesh: &Mesh) -> Vec<Ray> {
+        let mut first = self.recipe.cook(mesh);
+        if self.is_diagonal {
+            let size = first.direction.iter().fold(0.0f32, |a, x| a.max(x.abs()));
+            first.direction = first.direction.map(|x| size.copysign(x));
+        }
+        let size = mesh.vertices.as_flattened().iter();
+        let size = size.fold(0.0f32, |a, x| a.max(x.abs()));
+        let length = first.direction.iter().fold(0.0f32, |a, x| a.max(x.abs()));
+        let beside = |[origin, direction]: &[[f32; 3]; 2]| {
+            let off = |from: [f32; 3], by: &[f32; 3], unit: f32| {
+                [0, 1, 2].map(|axis| from[axis] + by[axis] * unit)
+            };
+            Ray {
+                origin: off(first.origin, origin, size * self.apart[0]),
+                direction: off(first.direction, direction, length * self.apart[1]),
+                ..first
+            }
+        };
+        let others = self.others.iter().map(beside);
+        std::iter::once(first).chain(others).collect()
+    }
+}
+
+fn bundle() -> impl Strategy<Value = Bundle> {
+    let apart = || prop_oneof![Just(0.0f32), Just(1e-6), Just(1e-3), Just(0.03), Just(0.5)];
+    let vector = || proptest::array::uniform3(-1.0f32..1.0);
+    let others = vec([vector(), vector()], 0..14);
+    (any_ray(), [apart(), apart()], others, any::<bool>()).prop_map(
+        |(recipe, apart, others, is_diagonal)| Bundle {
+            recipe,
+            apart,
+            others,
+            is_diagonal,
+        },
+    )
+}
+
+/// Both questions.
+fn together(bvh: &Bvh, rays: &[Ray]) -> (Vec<Hit>, Vec<u32>) {
+    let mut hits = vec![Hit::MISS; rays.len()];
+    let mut found = vec![false; rays.len()];
+    bvh.closest_hits_of_block(rays, &mut hits);
+    bvh.any_hits_of_block(rays, &mut found);
+    (hits, found.into_iter().map(u32::from).collect())
+}
+
+fn alone(bvh: &Bvh, rays: &[Ray]) -> (Vec<Hit>, Vec<u32>) {
+    let hits = rays.iter().map(|ray| bvh.closest_hit(ray)).collect();
+    let found = rays.iter().map(|ray| u32::from(bvh.any_hit(ray))).collect();
+    (hits, found)
+}
+
+fn check(bvh: &Bvh, rays: &[Ray]) -> Result<(), String> {
+    let ((hits, found), (own_hits, own_found)) = (together(bvh, rays), alone(bvh, rays));
+    same_bits(&hits, &own_hits)
+        .and_then(|()| same_bits(&found, &own_found))
+        .map_err(|difference| format!("{:?}: {difference}", bvh.codecs()))
+}
+
+fn codecs() -> Vec<BuildConfig> {
+    let lattice = |bits| NodeCodec::Lattice(bits);
+    let nodes = [
+        NodeCodec::F32,
+        NodeCodec::Printed,
+        lattice(LatticeBits::Q10),
+        lattice(LatticeBits::Q21),
+    ];
+    let mut all: Vec<_> = nodes
+        .into_iter()
+        .map(|nodes| BuildConfig {
+            nodes,
+            ..BuildConfig::default()
+        })
+        .collect();
+    all.push(BuildConfig {
+        tree: TreeKind::Clustered,
+        ..BuildConfig::default()
+    });
+    all
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn rays_together_answer_as_each_alone(mesh in any_mesh(), bundles in vec(bundle(), 1..6)) {
+        let rays: Vec<Ray> = bundles.iter().flat_map(|bundle| bundle.cook(&mesh)).collect();
+        for config in codecs() {
+            let result = check(&build_as(&mesh, config), &rays);
+            prop_assert!(result.is_ok(), "{:?}", result);
+        }
+    }
+}
+
+/// Those whose axes have another order than the first one's once were asked again along with it, by its order.
+#[test]
+fn rays_that_went_alone_do_not_walk_along() {
+    let mut random = Random::new(7);
+    let solid = icosphere(Vec3::ZERO, 1.0, 5);
+    let meshes = [
+        ("sphere".into(), solid),
+        ("terrain".into(), terrain(8.0, 128, 7)),
+    ];
+    for (name, mesh) in meshes.into_iter().chain(real_meshes(&["sponza.obj"])) {
+        let bvh = build(&mesh, CodeBits::Bits30);
+        let bounds = bvh.bounds().expect("there are triangles");
+        let (center, size) = ((bounds.min + bounds.max) * 0.5, bounds.max - bounds.min);
+        // A diagonal of axes: which is longest changes from ray to ray.
+        let eye = center + Vec3::ONE * size.max_element();
+        let ray = |_| {
+            let to = [0; 3].map(|_| random.unit() - 0.5);
+            let direction = center - eye + Vec3::from(to) * size * 0.02;
+            Ray::new(eye.to_array(), direction.to_array())
+        };
+        let rays: Vec<Ray> = (0..512).map(ray).collect();
+        assert_eq!(check(&bvh, &rays), Ok(()), "{name}");
+    }
+}
+
+/// The check is checked: hits of the neighbour's ray are found out.
+#[test]
+fn an_answer_of_another_ray_is_found() {
+    let mesh = icosphere(Vec3::ZERO, 1.0, 2);
+    let bvh = build(&mesh, CodeBits::Bits30);
+    let ray = |i: u8| Ray::new([f32::from(i) * 0.01, 0.1, 3.0], [0.0, 0.0, -1.0]);
+    let rays: Vec<Ray> = (0..8).map(ray).collect();
+    assert_eq!(check(&bvh, &rays), Ok(()));
+    let (mut hits, _) = together(&bvh, &rays);
+    hits.swap(2, 3);
+    assert!(same_bits(&hits, &alone(&bvh, &rays).0).is_err());
+}
