@@ -144,3 +144,50 @@ impl<const GROUPS: usize> Lanes for Wide<GROUPS> {
         self.mask(other, |a, b| a.cmpge(b).bitmask())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::float::{max, min};
+    use proptest::prelude::*;
+
+    fn number() -> impl Strategy<Value = f32> {
+        const SPECIAL: [f32; 7] = [
+            0.0,
+            -0.0,
+            1.0,
+            f32::MAX,
+            f32::MIN,
+            f32::INFINITY,
+            f32::NEG_INFINITY,
+        ];
+        prop_oneof![
+            2 => proptest::sample::select(&SPECIAL[..]),
+            3 => any::<u32>().prop_map(f32::from_bits).prop_filter("a number", |x| !x.is_nan()),
+        ]
+    }
+
+    fn wide(numbers: &[f32; 8]) -> Wide<2> {
+        Wide::from_lanes(|group, i| numbers[4 * group + i])
+    }
+
+    proptest! {
+        #[test]
+        fn each_lane_computes_as_one_number(a in proptest::array::uniform8(number()), b in proptest::array::uniform8(number())) {
+            let (x, y) = (wide(&a), wide(&b));
+            let lane = |wide: Wide<2>, i: usize| wide.0[i / 4].to_array()[i % 4];
+            for i in 0..8 {
+                let (a, b) = (a[i], b[i]);
+                for (found, expected) in [(x + y, a + b), (x - y, a - b), (x * y, a * b), (-x, -a)] {
+                    let found = lane(found, i);
+                    prop_assert!(found.to_bits() == expected.to_bits() || (found.is_nan() && expected.is_nan()));
+                }
+                prop_assert_eq!(lane(x.min(y), i), min(a, b));
+                prop_assert_eq!(lane(x.max(y), i), max(a, b));
+                prop_assert_eq!(lane(Wide::splat(a), i), a);
+                prop_assert_eq!(x.at_most(y) >> i & 1 == 1, a.at_most(b));
+                prop_assert_eq!(x.at_least(y) >> i & 1 == 1, a.at_least(b));
+            }
+        }
+    }
+}

@@ -10,7 +10,7 @@ use crate::animate::sah_cost;
 use crate::codec::{MeshCodec, NodeCodec};
 use crate::coded::{Alone, Coded, Shared, Stacks, Watched, with_stacks};
 use crate::cpu::decode;
-use crate::packets::ButOne;
+use crate::cpu::packets::ButOne;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::{Except, Facing, Sides};

@@ -1,7 +1,7 @@
 //! Nodes and triangles in codecs, and traversal of them.
 
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
-use crate::packets::{AskedPacket, ButOne, GROUPS};
+use crate::cpu::packets::{AskedPacket, ButOne, GROUPS};
 use slimbvh_core::classify::Facing;
 use slimbvh_core::encode::{
     LatticeCursor, LatticeNodes, LatticeTriangles, PrintedBox, PrintedCursor, PrintedNode,

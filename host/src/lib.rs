@@ -19,7 +19,6 @@ mod mesh;
 pub mod options;
 #[cfg(feature = "stress")]
 pub mod oracle;
-mod packets;
 mod picture;
 pub mod reduce;
 pub mod scene;

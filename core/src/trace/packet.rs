@@ -12,10 +12,10 @@ use crate::slab::{BoxSpan, PlanePair, crossings};
 use crate::watertight::{intersect, passes_inside};
 use glam::Vec4;
 
-/// With no more rays than this below a node, each goes on alone.
+/// With no more rays than this below a node, each goes on alone. Measured against 2, 3 and 4: ARCHITECTURE.md.
 const FEW: u32 = 1;
 
-/// Rays whose origins, or directions, are farther apart than this are traced alone: in the scene's size, or in the direction's.
+/// Rays whose origins or directions are farther from the first one's are traced alone: in the scene's size, or in the direction's.
 const APART: f32 = 1.0 / 16.0;
 
 /// A ray of a packet.
@@ -41,7 +41,7 @@ impl<R, C: Collector> Lane<R, C> {
     }
 }
 
-/// Four rays a group.
+/// Four rays a group, in at most eight groups.
 pub type Packet<R, C, const GROUPS: usize> = [[Lane<R, C>; 4]; GROUPS];
 
 /// Memory for a packet, and for rays that leave it. It need not be cleared in between.
@@ -60,7 +60,7 @@ impl<C: Cursor, const GROUPS: usize> PacketStacks<C, GROUPS> {
     };
 }
 
-/// [`traverse_with`] of all rays of a packet: together, as far as the order of their axes is the same and while they pass the same nodes.
+/// [`super::traverse_with`] of all rays of a packet: together, as far as the order of their axes is the same and while they pass the same nodes.
 #[inline(always)]
 pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
     stacks: &mut PacketStacks<N::Cursor, GROUPS>,
@@ -73,6 +73,7 @@ pub fn trace_packet<N, T, R, C, const GROUPS: usize>(
     R: Rule,
     C: Collector,
 {
+    const { assert!(GROUPS <= 8, "a mask has 32 bits") };
     let mut first = None;
     for lane in packet.as_flattened() {
         if first.is_none() && lane.ray.t_min <= lane.ray.t_max {

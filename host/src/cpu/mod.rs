@@ -7,6 +7,7 @@ mod decode;
 mod divide;
 mod encode;
 mod order;
+pub(crate) mod packets;
 mod paint;
 mod refit;
 mod render;

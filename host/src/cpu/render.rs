@@ -2,7 +2,7 @@
 
 use super::paint::{paint_depth, paint_heat, resolve};
 use super::trees::{NoTurns, Tree, Trees, Turns};
-use crate::packets::Question;
+use crate::cpu::packets::Question;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::ViewError;
 use crate::{Bvh, Scene};

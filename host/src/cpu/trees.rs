@@ -1,7 +1,7 @@
 //! Which hierarchy rays of each kind are traced through.
 
 use crate::Bvh;
-use crate::packets::{Block, Question};
+use crate::cpu::packets::{Block, Question};
 use slimbvh_core::classify::Sides;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;

@@ -39,6 +39,9 @@ impl Costs {
     /// seams 600 and 560, primary 2.8 and 1.9, shadow 16 and 14 a level, shadow rays 0.18 and 0.09. A set of half the
     /// triangles took 0.92 of the whole tree's time a ray from the camera; one level less makes it 0.95 and 0.94.
     ///
+    /// Since then sorting takes 0.9 of the time against the tree's, and in packets rays from the camera 0.78, shadow rays 0.87 (both
+    /// programs in turn, on one thread, dragon, armadillo and sponza).
+    ///
     /// For shadow rays in sets of either half, nodes were counted (`slimbvh reproduce reduced`): of doll, toasters, 24-cell and
     /// armadillo a ray opens 0.31, 0.60, 0.56 and 0.31 times as many in L− as in L+. With 39 % of the triangles in both sets, of
     /// 4 and 9 lights, times were 0.71 and 0.80 of those in the whole tree, and with 56 %, of 16 lights, 2.6 times those in
@@ -46,13 +49,13 @@ impl Costs {
     ///
     /// The GPU backend goes by them as well: there all but the survey is faster, so plans for few frames still decline.
     pub const MEASURED: Self = Self {
-        sort: 26.0,
+        sort: 23.0,
         tree: 62.0,
         classify: 7.5,
         topology: 150.0,
         seams: 600.0,
-        primary_level: 2.5,
-        shadow_level: 15.0,
+        primary_level: 2.0,
+        shadow_level: 13.0,
         shadow_rays: 0.2,
         away: 0.5,
         both: 0.75,

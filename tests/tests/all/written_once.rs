@@ -140,17 +140,20 @@ const STAGES: &[Stage] = &[
     },
     Stage {
         name: "trace",
-        what: "closest hit, any hit, nearest hits",
+        what: "closest hit, any hit, nearest hits, of one ray or of several together",
         core: &[
             "trace",
             "trace/collect",
+            "trace/packet",
+            "trace/query",
             "trace/sources",
+            "lanes",
             "ray",
             "slab",
             "watertight",
         ],
         shaders: &["trace", "trace/store", "trace/coded"],
-        cpu: &["render"],
+        cpu: &["packets", "render"],
         gpu: &["trace", "trace/paths", "render/wave"],
     },
     Stage {

@@ -75,13 +75,19 @@ impl Bvh {
         blocks.for_each(|(found, rays)| self.any_hits_of_block(rays, found));
     }
 
-    /// [`Bvh::closest_hits`] on this thread, for callers who share rays out by themselves. There must be a place for each answer.
+    /// [`Bvh::closest_hits`] on this thread, for callers who share rays out by themselves.
+    ///
+    /// # Panics
+    /// If there are less places for hits than rays.
     pub fn closest_hits_of_block(&self, rays: &[Ray], hits: &mut [Hit]) {
         let block = self.block(Question::Closest);
         self.ask(&block, asked(rays), |i, hit| hits[i] = hit);
     }
 
     /// [`Bvh::any_hits`] on this thread, as [`Bvh::closest_hits_of_block`].
+    ///
+    /// # Panics
+    /// If there are less places for answers than rays.
     pub fn any_hits_of_block(&self, rays: &[Ray], found: &mut [bool]) {
         let block = self.block(Question::Any);
         self.ask(&block, asked(rays), |i, hit| found[i] = hit.is_hit());
@@ -102,19 +108,13 @@ impl Bvh {
         rays: impl Iterator<Item = (usize, Ray, u32)>,
         mut answer: impl FnMut(usize, Hit),
     ) {
-        let all = &facing(NO_PRIMITIVE, block.target);
-        let lane = |ray: &Ray, skip| {
-            let ray = PreparedRay::new(ray, block.exponent);
-            Lane {
-                ray,
-                rule: ButOne::new(all, skip),
-                collector: match block.question {
-                    Question::Closest => ClosestOrAny::closest(ray.t_max),
-                    Question::Any => ClosestOrAny::any(ray.t_max),
-                },
-            }
+        let all = facing(NO_PRIMITIVE, block.target);
+        let nothing = PreparedRay::new(&Ray::NOTHING, 0);
+        let nothing = Lane {
+            ray: nothing,
+            rule: ButOne::new(&all, NO_PRIMITIVE),
+            collector: ClosestOrAny::closest(nothing.t_max),
         };
-        let nothing = lane(&Ray::NOTHING, NO_PRIMITIVE);
         let mut packet = [[nothing; 4]; GROUPS];
         let mut numbers = [0; 4 * GROUPS];
         let mut rays = rays.peekable();
@@ -122,7 +122,12 @@ impl Bvh {
             let mut count = 0;
             for (to, number) in packet.as_flattened_mut().iter_mut().zip(&mut numbers) {
                 if let Some((own, ray, skip)) = rays.next() {
-                    *to = lane(&ray, skip);
+                    to.ray = PreparedRay::new(&ray, block.exponent);
+                    to.rule.one = Except(skip);
+                    to.collector = match block.question {
+                        Question::Closest => ClosestOrAny::closest(to.ray.t_max),
+                        Question::Any => ClosestOrAny::any(to.ray.t_max),
+                    };
                     *number = own;
                     count += 1;
                 } else {
