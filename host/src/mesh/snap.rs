@@ -87,7 +87,7 @@ fn is_on_lattice(x: f32, inverse: f64) -> bool {
     // Exact: doubles hold any float in steps of any size.
     let steps = f64::from(x) * inverse;
     let whole = steps as i32;
-    f64::from(whole) == steps && whole.abs() <= MOST_STEPS
+    f64::from(whole) == steps && whole.unsigned_abs() <= MOST_STEPS.unsigned_abs()
 }
 
 #[cfg(test)]
@@ -112,6 +112,20 @@ mod tests {
             let most = f64::from(MOST_STEPS) * 2f64.powi(step_exponent);
             let expected = f64::from(x.abs()) <= most && snapped(x, step_exponent) == x;
             prop_assert_eq!(is_on_lattice(x, 2f64.powi(-step_exponent)), expected);
+        }
+    }
+
+    /// Minus 2^31 steps once had a magnitude below all bounds, as the number without a sign does not exist.
+    #[test]
+    fn the_smallest_integer_is_too_many_steps() {
+        for (x, is_on) in [
+            (-2f32.powi(31), false),
+            (2f32.powi(31), false),
+            (-2f32.powi(20), true),
+        ] {
+            let corners = [[x, 0.0, 0.0], [0.0; 3], [0.0, 1.0, 0.0]];
+            assert_eq!(is_on_lattice(x, 1.0), is_on, "{x}");
+            assert_eq!(mesh(&corners).check_lattice(0).is_ok(), is_on, "{x}");
         }
     }
 
