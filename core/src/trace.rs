@@ -103,7 +103,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collecto
     traverse_with(&mut stack, nodes, triangles, ray, rule, collector);
 }
 
-/// Offers every triangle that the ray meets and that counts by the rule to the collector: [`walk`] of one ray.
+/// Offers every triangle that the ray meets and that counts by the rule to the collector.
 #[inline(always)]
 pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
     stack: &mut Stack<N::Cursor>,
