@@ -130,11 +130,12 @@ proptest! {
         for t in [f32::NAN, f32::INFINITY] {
             prop_assert_eq!(fault(Hit { t, ..right.closest }, true), Some(Fault::False));
         }
-        // Another triangle at the same place, unless the ray meets it, too.
+        // Another triangle at the same place, unless the ray meets it, too, or passes it so slantingly that t may be off by as much.
         let primitive = other.index(known.subject.scene.count()) as u32;
         let corners = known.subject.corners(primitive);
         let distance = crate::oracle::distance::to_triangle(line.at(first.t), corners);
-        if distance > 1e-3 {
+        let [reach, along] = known.subject.slack(&line, primitive, BOUND_ULPS);
+        if distance > 1e-3 + reach + along {
             prop_assert_eq!(fault(Hit { primitive, ..right.closest }, true), Some(Fault::False));
         }
         // What lies behind instead.
@@ -230,7 +231,7 @@ fn every_tree_is_judged() {
             effort: Effort::Quick,
         };
         let rows = run(&mut cpu, &case).expect("it is sound");
-        let trees = if case.eye.is_some() { 7 } else { 5 };
+        let trees = if case.eye.is_some() { 8 } else { 6 };
         assert_eq!(rows.len(), trees);
         for row in &rows {
             assert!(row.faults() == 0 && row.keeps_its_bound(), "{row:?}");
